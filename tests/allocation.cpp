@@ -15,6 +15,7 @@
 #include "instruction_sets.hpp"
 #include "oracle/random.hpp"
 #include "parallel/thread_sanitizer.hpp"
+#include "shaftcull/paper.hpp"
 #include "shaftcull/shaftcull.hpp"
 #include "support/threads.hpp"
 
@@ -32,10 +33,11 @@ class Allocation : public testing::Test {
       boxes_.push_back(i % 3 == 0 ? random.grid_box(-5, 5) : random.box(-5, 5, 0.05F, 1.0F));
       spheres_.push_back({boxes_.back().lo, random.integer(0, 3)});
     }
+    const std::vector<Plane> planes(1, Plane{{1, 2, 3}, 4});
     for (int s = 0; s != 10; ++s) {
-      Shaft shaft(random.grid_box(-5, 5), random.grid_box(-5, 5));
-      shaft.add_plane({{1, 2, 3}, 4});
-      shafts_.push_back(compile(shaft));
+      const Box a = random.grid_box(-5, 5);
+      shafts_.push_back(compile(a, random.grid_box(-5, 5), planes));
+      complete(shafts_.back());
       if (s % 3 == 2) set_contact(shafts_.back(), Contact::open);
     }
   }
@@ -156,9 +158,11 @@ TEST_F(Allocation, FormationAndCompilationDoNone) {
                 0U);
     }
   }
+  const std::vector<Plane> two_planes(2, Plane{{1, 2, 3}, 4});
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
     EXPECT_EQ(allocations_in([&] { shafts_[0] = compile(boxes_[0], boxes_[1]); }), 0U) << name(isa);
+    EXPECT_EQ(allocations_in([&] { shafts_[0] = compile(boxes_[0], boxes_[1], two_planes); }), 0U) << name(isa);
   }
   const BoxColumns boxes(boxes_);
   std::vector<CompiledShaft> out(100);

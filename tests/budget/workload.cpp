@@ -16,6 +16,7 @@
 
 #include "many/workload.hpp"
 #include "oracle/random.hpp"
+#include "shaftcull/paper.hpp"
 #include "shaftcull/shaftcull.hpp"
 
 namespace shaftcull {
@@ -56,7 +57,10 @@ void run() {
   const BoxStream a_stream{std::span<const Box>(a)};
   const BoxStream b_stream{std::span<const Box>(b)};
   std::vector<CompiledShaft> compiled;
-  for (std::size_t s = 0; s != shafts; ++s) compiled.push_back(compile(Shaft(a[s], b[s])));
+  for (std::size_t s = 0; s != shafts; ++s) {
+    compiled.push_back(compile(a[s], b[s]));
+    complete(compiled.back());
+  }
   std::vector<std::uint64_t> kept(bit_words(bounds));
   std::vector<std::uint64_t> inside(bit_words(bounds));
   std::vector<std::uint64_t> counts(shafts);
@@ -92,16 +96,16 @@ void run() {
     });
   });
   const Box world{{-6, -6, -6}, {6, 6, 6}};
-  Shaft camera(world, world);
+  std::vector<Plane> view;
   for (const float side : {-1.0F, 1.0F}) {
     for (std::size_t k = 0; k != 3; ++k) {
       Plane plane{{0.5F, 0.5F, 0.5F}, 3};
       plane.normal[k] = 2 * side;
-      camera.add_plane(plane);
+      view.push_back(plane);
     }
   }
-  const CompiledShaft compiled_camera = compile(camera);
-  count("boxes_cull_added", bounds, [&] { cull(compiled_camera, boxes.view(), kept); });
+  const CompiledShaft camera = compile(world, world, view);
+  count("boxes_cull_added", bounds, [&] { cull(camera, boxes.view(), kept); });
   with_threads(1, [&] {
     count("boxes_count_between_tiles", shafts * between_tiles,
           [&] { count_many(compiled, boxes.view().slice(0, between_tiles), counts); });

@@ -16,6 +16,7 @@
 #include "caught.hpp"
 #include "forms.hpp"
 #include "message_of.hpp"
+#include "shaftcull/paper.hpp"
 
 namespace shaftcull {
 namespace {
@@ -282,7 +283,6 @@ TEST_F(Arguments, AContactThatIsNoneIsRefused) {
   EXPECT_THAT(message_of([&] { set_contact(shafts, contact); }), names_it);
   EXPECT_THAT(message_of([&] { set_contact(shafts[0], contact); }), names_it);
   EXPECT_EQ(shafts[0].contact(), before);
-  EXPECT_THAT(message_of([&] { (void)Shaft(box, box, {.contact = contact}); }), HasSubstr("ShaftOptions::contact"));
   EXPECT_THAT(message_of([&] {
                 set_contact(std::span<CompiledShaft>(static_cast<CompiledShaft*>(nullptr), 2), Contact::open);
               }),
@@ -296,8 +296,6 @@ TEST_F(Arguments, AFormThatIsNoEnumeratorIsRefused) {
   EXPECT_THAT(message_of([&] { set_form(shafts, form); }), names_it);
   EXPECT_THAT(message_of([&] { set_form(shafts[0], form); }), names_it);
   EXPECT_EQ(shafts[0].form(), Form::slab);
-  const Box box{{0, 0, 0}, {1, 1, 1}};
-  EXPECT_THAT(message_of([&] { (void)Shaft(box, box, {.form = form}); }), HasSubstr("ShaftOptions::form"));
   EXPECT_THAT(
       message_of([&] { set_form(std::span<CompiledShaft>(static_cast<CompiledShaft*>(nullptr), 2), Form::slab); }),
       HasSubstr("shafts is null"));
@@ -316,8 +314,6 @@ TEST_F(Arguments, FormsAreSetOfAllShaftsThatHaveOne) {
   EXPECT_EQ(shafts[0].form(), Form::planes);
   EXPECT_TRUE(shafts[0].has_planes());
   EXPECT_EQ(shafts.back().form(), Form::slab) << "a hull has one form";
-  EXPECT_EQ(compile(Shaft({{0, 0, 0}, {1, 1, 1}}, {{2, 2, 2}, {3, 3, 3}}, {.form = Form::planes})).form(),
-            Form::planes);
 }
 
 TEST_F(Arguments, NumbersForEachShaftNeedASpanOfTheirOwnSize) {
@@ -362,16 +358,6 @@ TEST_F(Arguments, ListsOfMoreBoundsThanIndicesReachAreRefused) {
 }
 #endif
 
-TEST_F(Arguments, InsideAloneIsAnsweredByShaftsFormedForItAlone) {
-  ShaftOptions options;
-  options.outside = false;
-  const std::vector<CompiledShaft> shafts(2, compile(Shaft(boxes_[0], boxes_[1], options)));
-  EXPECT_NO_THROW(classify_many(shafts, boxes_, {}, std::span(inside_).first(4)));
-  EXPECT_THAT(message_of([&] { (void)any(shafts[0], boxes_); }), HasSubstr("formed without outside"));
-  EXPECT_THAT(message_of([&] { (void)keeps(shafts[0], boxes_[0]); }), HasSubstr("formed without outside"));
-  EXPECT_THAT(message_of([&] { (void)classify(shafts[0], spheres_[0]); }), HasSubstr("formed without outside"));
-}
-
 TEST_F(Arguments, OptionsThatAreNoEnumeratorsAreRefused) {
   ShaftOptions options;
   options.order = static_cast<PlaneOrder>(3);
@@ -407,7 +393,7 @@ TEST_F(Arguments, NewStreamsHoldBoundsThatNoShaftKeeps) {
   EXPECT_LT(spheres[0].radius, 0);
   const float huge = 1e30F;
   std::vector<CompiledShaft> shafts = shafts_;
-  shafts.push_back(compile(Shaft({{-huge, -huge, -huge}, {huge, huge, huge}}, {{-1, -1, -1}, {1, 1, 1}})));
+  shafts.push_back(compile({{-huge, -huge, -huge}, {huge, huge, huge}}, {{-1, -1, -1}, {1, 1, 1}}));
   const std::vector<std::uint64_t> nothing(2);
   for (const CompiledShaft& shaft : shafts) {
     for (const Form form : forms) {

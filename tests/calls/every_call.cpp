@@ -76,18 +76,18 @@ std::vector<CompiledShaft> EveryCall::shafts(std::size_t count) {
   Random random(4712);
   std::vector<CompiledShaft> shafts(count);
   for (std::size_t s = 0; s != count; ++s) {
-    Shaft shaft(s % 2 == 0 ? random.grid_box(-5, 5) : random.box(-5, 5, 0.2F, 2.0F), random.grid_box(-5, 5));
-    if (s % 4 == 0) shaft.add_plane({{1, 2, 3}, 4});
+    const Box a = s % 2 == 0 ? random.grid_box(-5, 5) : random.box(-5, 5, 0.2F, 2.0F);
+    const Box b = random.grid_box(-5, 5);
     if (is_moving(s)) {
-      const Box& body = shaft.a();
       const Vec3 way{1, 0.25F, s % 2 == 0 ? 0.0F : -3.0F};
-      const Vec3 light{body.hi[0] + 2, body.lo[1], body.lo[2]};
-      shafts[s] = s % 3 == 0 ? swept(body, way) : s % 3 == 1 ? swept_infinite(body, way) : shadow({light, light}, body);
+      const Vec3 light{a.hi[0] + 2, a.lo[1], a.lo[2]};
+      shafts[s] = s % 3 == 0 ? swept(a, way) : s % 3 == 1 ? swept_infinite(a, way) : shadow({light, light}, a);
     } else if (s % 3 != 0 || s % 4 == 0) {
-      shafts[s] = compile(shaft);
+      const Plane plane{{1, 2, 3}, 4};
+      shafts[s] = compile(a, b, std::span(&plane, s % 4 == 0 ? 1 : 0));
+      complete(shafts[s]);
     } else {
-      compile_batch(BoxStream(std::span(&shaft.a(), 1)).view(), BoxStream(std::span(&shaft.b(), 1)).view(),
-                    std::span(&shafts[s], 1));
+      compile_batch(BoxStream(std::span(&a, 1)).view(), BoxStream(std::span(&b, 1)).view(), std::span(&shafts[s], 1));
     }
     if (s % 5 == 2) set_contact(shafts[s], Contact::open);
   }

@@ -8,12 +8,13 @@
 #include <vector>
 
 #include "calls/call_table.hpp"
+#include "shaftcull/paper.hpp"
 #include "shaftcull/shaftcull.hpp"
 
 namespace shaftcull {
 
 inline void add_forming_calls(CallTable& table) {
-  table.add("Shaft", false, [&table](AnswerWords& words) {
+  table.add("Shaft, compile of a Shaft", false, [&table](AnswerWords& words) {
     for (const PlaneOrder order : {PlaneOrder::unsorted, PlaneOrder::by_volume, PlaneOrder::by_added_volume}) {
       for (const Formation formation : {Formation::search, Formation::table64, Formation::table729}) {
         ShaftOptions options;
@@ -26,14 +27,16 @@ inline void add_forming_calls(CallTable& table) {
           note(words, plane.plane.offset);
           note(words, culled_volume(shaft.box(), plane));
         }
+        note_shaft(words, compile(shaft), table.box_stream.view().slice(0, 64));
       }
     }
   });
   table.add("compile", false, [&table](AnswerWords& words) {
-    note_shaft(words, compile(Shaft(table.boxes[1], table.boxes[2])), table.box_stream.view().slice(0, 64));
-  });
-  table.add("compile of boxes", false, [&table](AnswerWords& words) {
     note_shaft(words, compile(table.boxes[1], table.boxes[2]), table.box_stream.view().slice(0, 64));
+  });
+  table.add("compile with planes", false, [&table](AnswerWords& words) {
+    const std::vector<Plane> planes = {{{1, 2, 3}, 4}, {{-1, 0, 1e-30F}, 0.1F}};
+    note_shaft(words, compile(table.boxes[1], table.boxes[2], planes), table.box_stream.view().slice(0, 64));
   });
   table.add("ConvexHull, frustum, casters, casters_towards", false, [&table](AnswerWords& words) {
     constexpr float matrix[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1.04F, -2.04F, 0, 0, 1, 0};

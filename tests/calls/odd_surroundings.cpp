@@ -77,7 +77,7 @@ TEST(OddSurroundings, ADecimalCommaChangesNoMessage) {
   const BoxStream boxes(random_boxes(5, 500000));
   const auto ask = [&] {
     return message_of([] {
-             Shaft({{0.5F, 0, 0}, {0.25F, 1, 1}}, {{0, 0, 0}, {1, 1, 1}});
+             static_cast<void>(compile({{0.5F, 0, 0}, {0.25F, 1, 1}}, {{0, 0, 0}, {1, 1, 1}}));
            }) +
            message_of([&] { cull(shafts[0], boxes.view(), {}); });
   };

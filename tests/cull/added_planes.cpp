@@ -9,7 +9,6 @@
 #include "oracle/cases/bounds.hpp"
 #include "oracle/cases/shafts.hpp"
 #include "oracle/random.hpp"
-#include "shaftcull/paper.hpp"
 
 namespace shaftcull {
 namespace {

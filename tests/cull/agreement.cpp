@@ -15,7 +15,6 @@
 #include "oracle/hull.hpp"
 #include "oracle/open_contact.hpp"
 #include "shaftcull/compiled.hpp"
-#include "shaftcull/paper.hpp"
 
 namespace shaftcull {
 namespace {
@@ -28,16 +27,10 @@ Answer answer(const std::vector<std::uint64_t>& kept, const std::vector<std::uin
   return !bit(kept, i) ? Answer::outside : bit(inside, i) ? Answer::inside : Answer::overlap;
 }
 
-CompiledShaft compiled(const ShaftInput& input) {
-  Shaft shaft(input.a, input.b, {.contact = input.contact});
-  for (const Plane& plane : input.added) shaft.add_plane(plane);
-  return compile(shaft);
-}
-
 template <class Bound>
 std::vector<Answer> all_answers(const ShaftInput& input, const std::vector<Bound>& bounds, Form form) {
   const auto memory = columns(bounds);
-  const CompiledShaft shaft = compiled(input);
+  const CompiledShaft shaft = shaft_of(input);
   // Words that the calls must overwrite entirely.
   std::vector<std::uint64_t> culled(bit_words(bounds.size()), ~std::uint64_t{0});
   std::vector<std::uint64_t> kept = culled;
@@ -58,7 +51,7 @@ template <class Bound>
 std::vector<Answer> all_on_grid(const ShaftInput& input, const std::vector<Bound>& bounds, unsigned doublings,
                                 std::size_t apart) {
   const auto memory = columns(bounds);
-  const GridAnswers on_grid = grid_answers(compiled(input), memory.view(), doublings, apart);
+  const GridAnswers on_grid = grid_answers(shaft_of(input), memory.view(), doublings, apart);
   std::vector<Answer> answers;
   for (std::size_t i = 0; i != bounds.size(); ++i) answers.push_back(answer(on_grid.kept, on_grid.inside, i));
   return answers;

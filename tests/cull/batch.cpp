@@ -23,7 +23,6 @@
 #include "oracle/cases/shafts.hpp"
 #include "oracle/random.hpp"
 #include "shaftcull/compiled.hpp"
-#include "shaftcull/paper.hpp"
 
 namespace shaftcull {
 namespace {
@@ -41,7 +40,7 @@ void expect_batch(const std::vector<Box>& a, const std::vector<Box>& b) {
                      source_text(ShaftInput{a[i], b[i], {}, contact}));
         complete(batch[i]);
         EXPECT_TRUE(batch[i].has_planes());
-        expect_equal(batch[i], compile(Shaft(a[i], b[i], {.contact = contact})));
+        expect_equal(batch[i], shaft_of({a[i], b[i], {}, contact}));
         if (testing::Test::HasFailure()) return;
       }
     }
@@ -104,11 +103,9 @@ TEST(CompileBatch, PairsOfEveryMagnitudeCompileAsTheirShaftsDo) {
 
 /// The shaft that compile_batch() should make of boxes with planes.
 CompiledShaft formed_alone(const Box& a, const Box& b, std::span<const Plane> of_a, std::span<const Plane> of_b) {
-  Shaft shaft(a, b);
-  for (const auto planes : {of_a, of_b}) {
-    for (const Plane& plane : planes) shaft.add_plane(plane);
-  }
-  return compile(shaft);
+  std::vector<Plane> planes(of_a.begin(), of_a.end());
+  planes.insert(planes.end(), of_b.begin(), of_b.end());
+  return shaft_of({a, b, planes});
 }
 
 /// Random boxes, each with some planes.
@@ -197,7 +194,7 @@ TEST(CompileBatch, IndexPairsOfOneViewAndOfTwoCompileAsTheirShaftsDo) {
             const auto [in_a, in_b] = pairs[i];
             complete(out[i]);
             expect_equal(out[i], with_planes ? formed_alone(a.boxes[in_a], b->boxes[in_b], a.of(in_a), b->of(in_b))
-                                             : compile(Shaft(a.boxes[in_a], b->boxes[in_b])));
+                                             : shaft_of({a.boxes[in_a], b->boxes[in_b]}));
           }
         }
       }
@@ -278,7 +275,7 @@ TEST(CompileBatch, EveryCountFillsAllAndNoMore) {
       EXPECT_EQ(kernel::data_of(batch[count]).added_count, 99) << "written past the end";
       for (std::size_t i = 0; i != count; ++i) {
         complete(batch[i]);
-        expect_equal(batch[i], compile(Shaft(a[i], b[i])));
+        expect_equal(batch[i], shaft_of({a[i], b[i]}));
       }
     }
   }
@@ -295,7 +292,7 @@ TEST(CompileBatch, PendingPlanesAreFoundByTheTestsThatNeedThem) {
     const UseIsa use(isa);
     std::vector<CompiledShaft> pending(1);
     compile_batch(a.view(), b.view(), pending);
-    const CompiledShaft single = compile(Shaft(a.view()[0], b.view()[0]));
+    const CompiledShaft single = shaft_of({a.view()[0], b.view()[0]});
     for (const Form form : forms) {
       std::vector<std::uint64_t> kept[2];
       std::vector<std::uint64_t> inside[2];

@@ -256,7 +256,7 @@ TEST(OpenContact, CanBeTakenBack) {
       set_contact(shaft, Contact::closed);
       EXPECT_EQ(bits(shaft), bits(compile(input.a, input.b))) << source_text(input);
       set_contact(shaft, Contact::open);
-      EXPECT_EQ(bits(shaft), bits(compile(Shaft(input.a, input.b, {.contact = Contact::open})))) << source_text(input);
+      EXPECT_EQ(bits(shaft), bits(compile(input.a, input.b, Contact::open))) << source_text(input);
     }
   });
 }

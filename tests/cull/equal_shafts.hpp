@@ -48,9 +48,7 @@ inline void expect_equal(const CompiledShaft& one, const CompiledShaft& other) {
     using Words = std::array<std::uint32_t, sizeof(kernel::ShaftData::AddedPlane) / sizeof(std::uint32_t)>;
     EXPECT_EQ(std::bit_cast<Words>(shaft.added[i]), std::bit_cast<Words>(expected.added[i])) << "added plane " << i;
   }
-  EXPECT_EQ(shaft.answers_outside, expected.answers_outside);
-  EXPECT_EQ(shaft.answers_inside, expected.answers_inside);
-  EXPECT_EQ(shaft.answers_spheres, expected.answers_spheres);
+  EXPECT_EQ(shaft.formed, expected.formed);
   EXPECT_EQ(shaft.contact, expected.contact);
   EXPECT_EQ(shaft.still_faces, expected.still_faces);
   EXPECT_EQ(bits(shaft.face), bits(expected.face));

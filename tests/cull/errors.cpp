@@ -10,7 +10,6 @@
 
 #include "caught.hpp"
 #include "columns.hpp"
-#include "forms.hpp"
 #include "instruction_sets.hpp"
 #include "message_of.hpp"
 #include "shaftcull/shaftcull.hpp"
@@ -21,74 +20,35 @@ namespace {
 using testing::HasSubstr;
 
 const Box first_box{{0, 0, 0}, {1, 1, 1}};
-const Box second_box{{2, 3, 4}, {3, 4, 5}};
-
-CompiledShaft shaft_for(bool outside, bool inside, bool spheres) {
-  ShaftOptions options;
-  options.outside = outside;
-  options.inside = inside;
-  options.spheres = spheres;
-  return compile(Shaft(first_box, second_box, options));
-}
 
 class CullErrors : public testing::Test {
  protected:
+  const CompiledShaft shaft_ = compile({{0, 0, 0}, {1, 1, 1}}, {{2, 3, 4}, {3, 4, 5}});
   const BoxColumns boxes_{std::vector<Box>(100, first_box)};
   const SphereColumns spheres_{std::vector<Sphere>(100, Sphere{{0, 0, 0}, 1})};
   std::vector<std::uint64_t> kept_ = std::vector<std::uint64_t>(2, 7);
   std::vector<std::uint64_t> inside_ = std::vector<std::uint64_t>(2, 7);
 };
 
-TEST_F(CullErrors, AnOutsideOnlyShaftDoesNotClassify) {
-  const CompiledShaft shaft = shaft_for(true, false, true);
-  EXPECT_THAT(message_of([&] { classify(shaft, boxes_.view(), kept_, inside_); }), HasSubstr("inside"));
-  EXPECT_THAT(message_of([&] { classify(shaft, spheres_.view(), kept_, inside_); }), HasSubstr("inside"));
-  EXPECT_THAT(message_of([&] { (void)classify(shaft, first_box); }), HasSubstr("inside"));
-  EXPECT_EQ(kept_, std::vector<std::uint64_t>(2, 7)) << "written before the error was found";
-  EXPECT_NO_THROW(cull(shaft, boxes_.view(), kept_));
-  EXPECT_NO_THROW(cull(shaft, spheres_.view(), kept_));
-}
-
-TEST_F(CullErrors, AnInsideOnlyShaftDoesNotCull) {
-  const CompiledShaft shaft = shaft_for(false, true, true);
-  EXPECT_THAT(message_of([&] { cull(shaft, boxes_.view(), kept_); }), HasSubstr("outside"));
-  EXPECT_THAT(message_of([&] { cull(in_form(shaft, Form::planes), spheres_.view(), kept_); }), HasSubstr("outside"));
-  EXPECT_THAT(message_of([&] { classify(shaft, boxes_.view(), kept_, inside_); }), HasSubstr("outside"));
-  EXPECT_EQ(kept_, std::vector<std::uint64_t>(2, 7)) << "written before the error was found";
-  EXPECT_EQ(inside_, std::vector<std::uint64_t>(2, 7)) << "written before the error was found";
-  EXPECT_NO_THROW(classify(shaft, boxes_.view(), {}, inside_));
-  EXPECT_NO_THROW(classify(shaft, spheres_.view(), {}, inside_));
-}
-
-TEST_F(CullErrors, AShaftWithoutSpheresDoesNotTestThem) {
-  const CompiledShaft shaft = shaft_for(true, true, false);
-  EXPECT_THAT(message_of([&] { cull(shaft, spheres_.view(), kept_); }), HasSubstr("sphere"));
-  EXPECT_THAT(message_of([&] { classify(shaft, spheres_.view(), kept_, inside_); }), HasSubstr("sphere"));
-  EXPECT_THAT(message_of([&] { (void)classify(shaft, Sphere{{0, 0, 0}, 1}); }), HasSubstr("sphere"));
-  EXPECT_NO_THROW(classify(shaft, boxes_.view(), kept_, inside_));
-}
-
 TEST_F(CullErrors, SpansThatShareMemoryAreRefused) {
-  const CompiledShaft shaft = shaft_for(true, true, true);
   std::vector<std::uint64_t> both(3, 7);
   const std::vector<std::uint64_t> before = both;
   const std::span<std::uint64_t> kept = std::span(both).first(2);
   const auto names_them = HasSubstr("classify: kept and inside share memory");
-  EXPECT_THAT(message_of([&] { classify(shaft, boxes_.view(), kept, kept); }), names_them);
-  EXPECT_THAT(message_of([&] { classify(shaft, spheres_.view(), kept, std::span(both).last(2)); }), names_them);
+  EXPECT_THAT(message_of([&] { classify(shaft_, boxes_.view(), kept, kept); }), names_them);
+  EXPECT_THAT(message_of([&] { classify(shaft_, spheres_.view(), kept, std::span(both).last(2)); }), names_them);
   EXPECT_EQ(both, before);
 }
 
 TEST_F(CullErrors, SpansOfTheWrongSizeAreRefusedWithBothSizes) {
-  const CompiledShaft shaft = shaft_for(true, true, true);
   for (const std::size_t size : {0U, 1U, 3U}) {
     std::vector<std::uint64_t> wrong(size, 7);
     const auto names_sizes = testing::AllOf(HasSubstr(std::to_string(size)), HasSubstr("2"));
-    EXPECT_THAT(message_of([&] { cull(shaft, boxes_.view(), wrong); }), names_sizes);
-    EXPECT_THAT(message_of([&] { cull(shaft, spheres_.view(), wrong); }), names_sizes);
-    EXPECT_THAT(message_of([&] { classify(shaft, spheres_.view(), kept_, wrong); }), names_sizes);
+    EXPECT_THAT(message_of([&] { cull(shaft_, boxes_.view(), wrong); }), names_sizes);
+    EXPECT_THAT(message_of([&] { cull(shaft_, spheres_.view(), wrong); }), names_sizes);
+    EXPECT_THAT(message_of([&] { classify(shaft_, spheres_.view(), kept_, wrong); }), names_sizes);
     if (size != 0) {  // without bits of kept bounds, those inside are asked for alone
-      EXPECT_THAT(message_of([&] { classify(shaft, boxes_.view(), wrong, inside_); }), names_sizes);
+      EXPECT_THAT(message_of([&] { classify(shaft_, boxes_.view(), wrong, inside_); }), names_sizes);
     }
     EXPECT_EQ(wrong, std::vector<std::uint64_t>(size, 7));
   }

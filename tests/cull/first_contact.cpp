@@ -82,9 +82,7 @@ void expect_contact(const ShaftInput& input, const std::vector<Bound>& bounds) {
   const auto expected = expected_contact(
       oracle::Hull(input.a, input.b, input.added),
       [&](const Bound& bound) { return oracle::entry_time(input.a, input.b, bound); }, bounds);
-  Shaft shaft(input.a, input.b);
-  for (const Plane& plane : input.added) shaft.add_plane(plane);
-  expect_contact(compile(shaft), bounds, expected, source_text(input));
+  expect_contact(shaft_of(input), bounds, expected, source_text(input));
 }
 
 template <class Bound>
@@ -314,9 +312,7 @@ TYPED_TEST(FirstContactOfBounds, EntryTimesAreThoseOfExactArithmeticForAllFamili
                                ? std::numeric_limits<float>::infinity()
                                : oracle::rounded_down(oracle::entry_time(input.a, input.b, bounds.back()).value()));
       }
-      Shaft shaft(input.a, input.b);
-      for (const Plane& plane : input.added) shaft.add_plane(plane);
-      const CompiledShaft compiled = compile(shaft);
+      const CompiledShaft shaft = shaft_of(input);
       const auto memory = columns(bounds);
       const BoundsTree<TypeParam> tree{std::span<const TypeParam>(bounds)};
       std::vector<std::uint32_t> indices(bounds.size());
@@ -324,10 +320,10 @@ TYPED_TEST(FirstContactOfBounds, EntryTimesAreThoseOfExactArithmeticForAllFamili
       for (const Isa isa : isas_under_test()) {
         const UseIsa use(isa);
         std::vector<float> times(bounds.size());
-        entry_times(compiled, memory.view(), indices, times);
+        entry_times(shaft, memory.view(), indices, times);
         ASSERT_EQ(std::vector<float>(times.rbegin(), times.rend()), expected) << source_text(input) << name(isa);
         std::fill(times.begin(), times.end(), 7.0F);
-        entry_times(compiled, tree, indices, times);
+        entry_times(shaft, tree, indices, times);
         ASSERT_EQ(std::vector<float>(times.rbegin(), times.rend()), expected) << source_text(input) << name(isa);
       }
     }

@@ -15,7 +15,6 @@
 #include "oracle/random.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
-#include "shaftcull/paper.hpp"
 
 #ifdef SHAFTCULL_HAS_FLOAT_MODES
 
@@ -25,9 +24,6 @@ namespace {
 /// The answers of all calls, one word behind the other.
 template <class View>
 std::vector<std::uint64_t> all_words(const ShaftInput& input, const View& bounds, unsigned doublings) {
-  Shaft formed(input.a, input.b);
-  for (const Plane& plane : input.added) formed.add_plane(plane);
-  const CompiledShaft shaft = compile(formed);
   const std::vector<Box> a(9, input.a);
   const std::vector<Box> b(9, input.b);
   const BoxColumns from(a);
@@ -39,7 +35,7 @@ std::vector<std::uint64_t> all_words(const ShaftInput& input, const View& bounds
   std::vector<std::uint64_t> kept(bit_words(bounds.count));
   std::vector<std::uint64_t> inside(kept);
   const auto note = [&](const std::vector<std::uint64_t>& row) { words.insert(words.end(), row.begin(), row.end()); };
-  for (const CompiledShaft& each : {shaft, compile(input.a, input.b), batch[0], batch[8]}) {
+  for (const CompiledShaft& each : {shaft_of(input), compile(input.a, input.b, input.added), batch[0], batch[8]}) {
     for (const Form form : forms) {
       classify(in_form(each, form), bounds, kept, inside);
       note(kept);

@@ -109,7 +109,7 @@ TEST(GridShafts, BoundsOnTAreOffByLessThanTheirSlack) {
         const ShaftInput input = i % 4 == 0   ? nearly_equal_shaft(random)
                                  : i % 4 == 1 ? distant_shaft(random, std::ldexp(1.0F, static_cast<int>(group % 16)))
                                               : random_shaft(random);
-        shafts.push_back(compile(Shaft(input.a, input.b)));
+        shafts.push_back(compile(input.a, input.b));
       }
       const std::span<const kernel::ShaftData> data = kernel::data_of(std::span<const CompiledShaft>(shafts));
       const GridFrame frame = kernels.frame(data.data(), data.size(), nullptr);

@@ -288,13 +288,12 @@ TEST(Occluded, NothingBehindAViewIsRead) {
   }
 }
 
-TEST(Occluded, AddedPlanesAndWhatAShaftWasFormedForDoNotMatter) {
+TEST(Occluded, AddedPlanesDoNotMatter) {
   on_each_instruction_set([] {
     const Box a{{0, 0, 0}, {1, 1, 1}};
     const Box b{{5, 0, 0}, {6, 1, 1}};
-    Shaft shaft(a, b, {.outside = false});
-    shaft.add_plane({{1, 0, 0}, -5});
-    EXPECT_TRUE(occluded(compile(shaft), Box{{2, -1, -1}, {3, 2, 2}}));
+    const Plane plane{{1, 0, 0}, -5};
+    EXPECT_TRUE(occluded(compile(a, b, std::span(&plane, 1)), Box{{2, -1, -1}, {3, 2, 2}}));
   });
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// compile() of two boxes makes the same shaft as forming and compiling it in two steps.
+/// compile() of two boxes, with planes or without, makes the same shaft as the paper's tool, and as compile_batch().
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,14 +27,18 @@
 namespace shaftcull {
 namespace {
 
-/// Compares the shaft of a pair, before and after its planes are made, with that of Shaft.
+/// Compares the shaft of a pair, before and after its joining planes are made, with that of Shaft.
 void expect_pair(const ShaftInput& input) {
-  const CompiledShaft expected = compile(Shaft(input.a, input.b));
+  Shaft formed(input.a, input.b);
+  for (const Plane& plane : input.added) formed.add_plane(plane);
+  const CompiledShaft expected = compile(formed);
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
     SCOPED_TRACE(std::string(name(isa)) + ": " + source_text(input));
-    CompiledShaft shaft = compile(input.a, input.b);
+    CompiledShaft shaft = compile(input.a, input.b, input.added);
     EXPECT_FALSE(shaft.has_planes());
+    EXPECT_EQ(shaft.contact(), Contact::closed);
+    EXPECT_EQ(shaft.form(), Form::slab);
     complete(shaft);
     expect_equal(shaft, expected);
   }
@@ -103,6 +108,56 @@ TEST(CompilePair, ZerosOfBothSignsCompileAsTheirShaftDoes) {
   });
 }
 
+TEST(CompilePair, PlanesAreAddedAsToAShaft) {
+  for (const bool is_wild : {false, true}) {
+    expect_pairs(94, [&](Random& random) {
+      ShaftInput input = is_wild ? wild_shaft(random) : random_shaft(random);
+      const std::size_t count = random.one_in(20) ? max_added_planes : random.below(4);
+      while (input.added.size() != count) {
+        input.added.push_back(is_wild ? with_wild_planes(random, {input.a, input.b}).added.back()
+                                      : plane_through(random, input.a.lo, random.one_in(3)));
+      }
+      return input;
+    });
+  }
+}
+
+TEST(CompilePair, PlanesAreThoseOfABatchToTheBit) {
+  Random random(95);
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    for (int i = 0; i != 300; ++i) {
+      const ShaftInput input = random_shaft(random);
+      const Plane planes[] = {plane_through(random, input.a.lo, false), plane_through(random, input.b.hi, true)};
+      CompiledShaft batch;
+      compile_batch(BoxColumns({input.a}).view(), BoxColumns({input.b}).view(), std::span(&batch, 1),
+                    {.a = std::span(planes).first(1), .b = std::span(planes).last(1)});
+      CompiledShaft shaft = compile(input.a, input.b, planes);
+      complete(batch);
+      complete(shaft);
+      expect_equal(shaft, batch);
+      if (testing::Test::HasFailure()) return;
+    }
+  }
+}
+
+TEST(CompilePair, PlanesThatCannotBeAddedAreNamed) {
+  const Box a{{0, 0, 0}, {1, 1, 1}};
+  const Box b{{2, 3, 4}, {3, 4, 5}};
+  const Plane good{{1, 0, 0}, 1};
+  const auto refusal = [&](const std::vector<Plane>& planes) {
+    return message_of([&] { static_cast<void>(compile(a, b, planes)); });
+  };
+  EXPECT_EQ(refusal({good, good, {{0, std::nanf(""), 0}, 1}}), "planes[2]: normal.y = nan; it must be finite");
+  EXPECT_EQ(refusal({{{1, 0, 0}, INFINITY}, good}), "planes[0]: offset = inf; it must be finite");
+  EXPECT_EQ(refusal({good, {{0, -0.0F, 0}, 1}}),
+            "planes[1]: its normal is zero, which leaves no inside and outside to tell apart");
+  EXPECT_EQ(refusal(std::vector<Plane>(max_added_planes + 1, good)),
+            "a shaft has room for 16 added planes only, not for 17");
+  EXPECT_THAT(message_of([&] { static_cast<void>(compile(a, b, std::span(static_cast<const Plane*>(nullptr), 2))); }),
+              testing::HasSubstr("planes is null"));
+}
+
 TEST(CompilePair, AnswersWhatShaftAnswers) {
   Random random(92);
   std::vector<Box> boxes;
@@ -128,6 +183,7 @@ TEST(CompilePair, AnswersWhatShaftAnswers) {
 TEST(CompilePair, ABadBoxIsRefusedAsShaftRefusesIt) {
   constexpr float inf = std::numeric_limits<float>::infinity();
   const Box good{{-1, -1, -1}, {1, 1, 1}};
+  const std::vector<Plane> planes(2, Plane{{1, 2, 3}, 4});
   std::vector<Box> bad;
   for (std::size_t k = 0; k != 3; ++k) {
     for (const float value : {std::nanf(""), inf, -inf}) {
@@ -144,8 +200,9 @@ TEST(CompilePair, ABadBoxIsRefusedAsShaftRefusesIt) {
       for (const bool is_first : {true, false}) {
         const ShaftInput input = is_first ? ShaftInput{box, good} : ShaftInput{good, box};
         SCOPED_TRACE(source_text(input));
-        EXPECT_EQ(message_of([&] { static_cast<void>(compile(input.a, input.b)); }),
-                  message_of([&] { static_cast<void>(Shaft(input.a, input.b)); }));
+        const std::string right = message_of([&] { static_cast<void>(Shaft(input.a, input.b)); });
+        EXPECT_EQ(message_of([&] { static_cast<void>(compile(input.a, input.b)); }), right);
+        EXPECT_EQ(message_of([&] { static_cast<void>(compile(input.a, input.b, planes)); }), right);
       }
     }
   }

@@ -199,7 +199,7 @@ TEST(SphereContact, TellsTimesApartThatDoublesCannotTellApart) {
     ASSERT_TRUE(of_x && of_y);
     const std::uint32_t first = *of_x <= *of_y ? 0 : 1;
     on_each_instruction_set([&] {
-      const CompiledShaft shaft = compile(Shaft(input.a, input.b));
+      const CompiledShaft shaft = compile(input.a, input.b);
       const FirstContact expected{first, oracle::rounded_down(first == 0 ? *of_x : *of_y)};
       EXPECT_EQ(first_contact(shaft, SphereColumns(spheres).view()), expected) << source_text(input);
       const std::vector<Sphere> swapped(spheres.rbegin(), spheres.rend());

@@ -20,6 +20,7 @@
 #include "instruction_sets.hpp"
 #include "message_of.hpp"
 #include "oracle/cases/families.hpp"
+#include "oracle/cases/moving.hpp"
 #include "oracle/cases/triangles.hpp"
 #include "oracle/hull.hpp"
 #include "oracle/moving_hull.hpp"
@@ -47,22 +48,6 @@ Bits kept_of(const CompiledShaft& shaft, const TriangleView& triangles, Triangle
   Bits kept(bit_words(triangles.count), 0x5555);
   cull(shaft, triangles, kept, {.triangle_test = test});
   return kept;
-}
-
-CompiledShaft compiled(const ShaftInput& input) {
-  Shaft shaft(input.a, input.b, {.contact = input.contact});
-  for (const Plane& plane : input.added) shaft.add_plane(plane);
-  return compile(shaft);
-}
-CompiledShaft compiled(const MovingInput& input) {
-  using Kind = MovingInput::Kind;
-  CompiledShaft result = input.kind == Kind::swept ? swept(input.box, input.displacement, input.added)
-                         : input.kind == Kind::swept_infinite
-                             ? swept_infinite(input.box, input.displacement, input.added)
-                         : input.kind == Kind::shadow ? shadow(input.light, input.box, input.reach, input.added)
-                                                      : shadow(input.light, input.box, input.added);
-  set_contact(result, input.contact);
-  return result;
 }
 
 /// The shaft with closed contact.
@@ -93,7 +78,7 @@ struct Found {
 template <class Input>
 Found expect_exact_triangles(const Input& input, const std::vector<Triangle>& triangles) {
   const TriangleColumns memory(triangles);
-  const CompiledShaft shaft = compiled(input);
+  const CompiledShaft shaft = shaft_of(input);
   const auto hull = closed_hull(input);
   Found found;
   std::array<std::vector<bool>, 2> outside;
@@ -419,12 +404,11 @@ TEST(Triangles, AVertexThatTouchesACornerIsKept) {
 
 TEST(Triangles, APlaneAddedToAShaftCullsWhatItsBoxWouldKeep) {
   const Box box{{0, 0, 0}, {1, 1, 1}};
-  Shaft shaft(box, {{4, 0, 0}, {5, 1, 1}});
-  shaft.add_plane({{1, 1, 0}, 2.9F});
+  const Plane plane{{1, 1, 0}, 2.9F};
   const Triangle triangle{{{{2, 0.95F, 0}, {2.9F, 0.05F, 0}, {2.5F, 0.5F, 1}}}};
-  const CompiledShaft compiled_shaft = compile(shaft);
-  EXPECT_TRUE(keeps(compiled_shaft, oracle::box_around(triangle)));
-  for (const TriangleTest test : tests) EXPECT_FALSE(keeps(compiled_shaft, triangle, test));
+  const CompiledShaft shaft = compile(box, {{4, 0, 0}, {5, 1, 1}}, std::span(&plane, 1));
+  EXPECT_TRUE(keeps(shaft, oracle::box_around(triangle)));
+  for (const TriangleTest test : tests) EXPECT_FALSE(keeps(shaft, triangle, test));
 }
 
 TEST(Triangles, AHullIsAskedByVerticesOnly) {
@@ -453,9 +437,7 @@ TEST(Triangles, CoordinatesThatAreNotFiniteAreAnsweredAsPromised) {
   const Box a{{0, 0, 0}, {1, 1, 1}};
   const Box b{{0, 0, 4}, {1, 1, 5}};
   const Plane plane{{0, 0, 1}, 3};
-  Shaft shaft(a, b);
-  shaft.add_plane(plane);
-  const CompiledShaft with_plane = compile(shaft);
+  const CompiledShaft with_plane = compile(a, b, std::span(&plane, 1));
   const CompiledShaft plain = compile(a, b);
   const Triangle inside{{{{0.2F, 0.2F, 2}, {0.8F, 0.2F, 2}, {0.2F, 0.8F, 2}}}};
   const Triangle beyond{{{{0.2F, 0.2F, 4}, {0.8F, 0.2F, 4}, {0.2F, 0.8F, 4}}}};
@@ -522,7 +504,7 @@ TEST(Triangles, EveryCountIsAnsweredAndNothingBehindItIsRead) {
   const Triangle touching{{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}}};
   const Triangle outside{{{{9, 9, 9}, {10, 9, 9}, {9, 10, 9}}}};
   for (const ShaftInput& input : shafts) {
-    const CompiledShaft shaft = compiled(input);
+    const CompiledShaft shaft = shaft_of(input);
     for (const Isa isa : isas_under_test()) {
       const UseIsa use(isa);
       for (const TriangleTest test : tests) {
@@ -616,10 +598,6 @@ TEST(Triangles, BadArgumentsAreRefusedBeforeAnythingIsWritten) {
   EXPECT_THAT(message_of([&] { cull(shaft, view, kept, {.triangle_test = static_cast<TriangleTest>(9)}); }),
               testing::HasSubstr("test = 9 is neither"));
   EXPECT_THAT(message_of([&] { cull(CompiledShaft(), view, kept); }), testing::HasSubstr("shaft 0 was never formed"));
-  EXPECT_THAT(message_of([&] {
-                cull(compile(Shaft({{0, 0, 0}, {1, 1, 1}}, {{5, 0, 0}, {6, 1, 1}}, {.outside = false})), view, kept);
-              }),
-              testing::HasSubstr("without outside"));
   TriangleView null = view;
   null.stream[7] = nullptr;
   EXPECT_THAT(message_of([&] { cull(shaft, null, kept); }), testing::HasSubstr("triangles.stream[7] is null"));

@@ -18,7 +18,6 @@
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/first_contact.hpp"
 #include "shaftcull/hull.hpp"
-#include "shaftcull/paper.hpp"
 #include "shaftcull/volumes.hpp"
 
 namespace shaftcull {
@@ -65,7 +64,7 @@ void expect_view(const CompiledShaft& shaft, const View& view, const std::vector
 
 template <class Columns, class Bound>
 void expect_every_count(const std::vector<Bound>& bounds) {
-  const CompiledShaft shaft = compile(Shaft(input.a, input.b));
+  const CompiledShaft shaft = compile(input.a, input.b);
   const Columns memory(bounds);
   const auto all = memory.view();
   for (const Isa isa : isas_under_test()) {
@@ -84,7 +83,7 @@ void expect_every_count(const std::vector<Bound>& bounds) {
 
 template <class Columns, class Bound>
 void expect_every_misalignment(const std::vector<Bound>& bounds) {
-  const CompiledShaft shaft = compile(Shaft(input.a, input.b));
+  const CompiledShaft shaft = compile(input.a, input.b);
   const Columns memory(bounds);
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
@@ -163,7 +162,7 @@ TEST(Views, EveryMisalignmentOfBoxesGivesTheSameAnswers) { expect_every_misalign
 TEST(Views, EveryMisalignmentOfSpheresGivesTheSameAnswers) { expect_every_misalignment<SphereColumns>(some_spheres()); }
 
 TEST(Views, AnEmptyViewMayHaveNullStreams) {
-  const CompiledShaft shaft = compile(Shaft(input.a, input.b));
+  const CompiledShaft shaft = compile(input.a, input.b);
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
     for (const Form form : forms) {
@@ -176,7 +175,7 @@ TEST(Views, AnEmptyViewMayHaveNullStreams) {
 }
 
 TEST(Views, ASliceAnswersLikeItsPartOfTheWhole) {
-  const CompiledShaft shaft = compile(Shaft(input.a, input.b));
+  const CompiledShaft shaft = compile(input.a, input.b);
   const BoxColumns memory(some_boxes());
   const std::vector<Answer> right = answers(input, some_boxes(), Form::slab);
   for (const std::size_t first : {1U, 64U, 77U, 200U}) {
@@ -189,10 +188,7 @@ TEST(Views, ASliceAnswersLikeItsPartOfTheWhole) {
 template <class Bound>
 void expect_single(const ShaftInput& asked, const std::vector<Bound>& bounds) {
   const std::vector<Answer> right = answers(asked, bounds, Form::slab);
-  Shaft formed(asked.a, asked.b);
-  for (const Plane& plane : asked.added) formed.add_plane(plane);
-  std::vector<CompiledShaft> shafts = {compile(formed)};
-  if (asked.added.empty()) shafts.push_back(compile(asked.a, asked.b));
+  const CompiledShaft shafts[] = {shaft_of(asked), compile(asked.a, asked.b, asked.added)};
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
     for (const CompiledShaft& shaft : shafts) {
@@ -242,7 +238,7 @@ TEST(Views, AnEmptyBoundIsOutsideAndOneWithNanIsNot) {
 template <class Columns, class Bound>
 void expect_layers(const std::vector<Bound>& bounds) {
   Random random(45);
-  const CompiledShaft shaft = compile(Shaft(input.a, input.b));
+  const CompiledShaft shaft = compile(input.a, input.b);
   const std::vector<Answer> right = answers(input, bounds, Form::slab);
   for (const std::size_t count : {0U, 1U, 63U, 64U, 65U, 200U}) {
     const Columns memory(std::vector<Bound>(bounds.begin(), bounds.begin() + static_cast<std::ptrdiff_t>(count)));
@@ -276,7 +272,7 @@ TEST(Views, BoundsInNoneOfTheLayersAreLeftOut) {
 }
 
 TEST(Views, LayersOfTheWrongSizeAreRefused) {
-  const CompiledShaft shaft = compile(Shaft(input.a, input.b));
+  const CompiledShaft shaft = compile(input.a, input.b);
   const BoxColumns memory(some_boxes());
   std::vector<std::uint64_t> kept(bit_words(most_bounds), 7);
   const auto layers = [](std::size_t count) { return std::vector<std::uint32_t>(count, 1); };

@@ -58,16 +58,12 @@ TEST(Colouring, OfEveryKindIsThatOfSomePairOfBoxes) {
 }
 
 TEST(Colouring, GivesTheSamePlanesByEveryMethodOfFormation) {
-  for (const bool spheres : {false, true}) {
-    for (std::size_t row = 0; row != table729.size; ++row) {
-      const Pair pair = boxes_coloured(table729.colouring_of(row));
-      const auto form = [&](Formation formation) {
-        return planes_of(Shaft(pair.a, pair.b, {.formation = formation, .spheres = spheres}));
-      };
-      const std::vector<PlaneKey> planes = form(Formation::search);
-      EXPECT_EQ(form(Formation::table64), planes) << "row " << row;
-      EXPECT_EQ(form(Formation::table729), planes) << "row " << row;
-    }
+  for (std::size_t row = 0; row != table729.size; ++row) {
+    const Pair pair = boxes_coloured(table729.colouring_of(row));
+    const auto form = [&](Formation formation) { return planes_of(Shaft(pair.a, pair.b, {.formation = formation})); };
+    const std::vector<PlaneKey> planes = form(Formation::search);
+    EXPECT_EQ(form(Formation::table64), planes) << "row " << row;
+    EXPECT_EQ(form(Formation::table729), planes) << "row " << row;
   }
 }
 

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "compiled/shaft_data.hpp"
 #include "golden.hpp"
 #include "oracle/random.hpp"
 #include "shaftcull/paper.hpp"
@@ -21,6 +22,13 @@ double distance_between(const Plane& p, const Plane& q) {
   return most;
 }
 
+/// The same plane with a unit normal.
+Plane unit(const Plane& plane) {
+  const double length = std::hypot(double{plane.normal[0]}, double{plane.normal[1]}, double{plane.normal[2]});
+  const auto scaled = [&](float x) { return static_cast<float>(x / length); };
+  return {{scaled(plane.normal[0]), scaled(plane.normal[1]), scaled(plane.normal[2])}, scaled(plane.offset)};
+}
+
 TEST(JoiningPlanes, AreThoseOfTheReferenceAnswers) {
   const std::vector<golden::ShaftRow> shafts = golden::load_shafts();
   std::vector<std::vector<Plane>> expected(shafts.size());
@@ -32,7 +40,7 @@ TEST(JoiningPlanes, AreThoseOfTheReferenceAnswers) {
       for (const Plane& plane : expected[row.shaft]) {
         double nearest = INFINITY;
         for (const JoiningPlane& own : shaft.joining_planes()) {
-          nearest = std::min(nearest, distance_between(own.plane, plane));
+          nearest = std::min(nearest, distance_between(unit(own.plane), plane));
         }
         EXPECT_LT(nearest, 1e-5) << "shaft " << row.shaft;
       }
@@ -63,13 +71,13 @@ TEST(JoiningPlanes, OfBoxesBetweenRandomPointsAreAsManyAsChanceSays) {
   EXPECT_NEAR(mean, 6, 0.05) << "seed " << seed;
 }
 
-TEST(JoiningPlanes, HaveUnitNormalsIfSpheresMayBeTested) {
+TEST(JoiningPlanes, OfCompiledShaftsHaveUnitNormals) {
   Random random(7);
   for (int i = 0; i != 1000; ++i) {
-    const Shaft shaft = Shaft(random.box(-5, 5, 0.1F, 2), random.box(-5, 5, 0.1F, 2));
-    for (const JoiningPlane& joining : shaft.joining_planes()) {
-      const Vec3& n = joining.plane.normal;
-      EXPECT_NEAR(std::hypot(n[0], n[1], n[2]), 1, 1e-6) << "seed 7, shaft " << i;
+    const CompiledShaft compiled = compile(Shaft(random.box(-5, 5, 0.1F, 2), random.box(-5, 5, 0.1F, 2)));
+    const kernel::ShaftData& shaft = kernel::data_of(compiled);
+    for (std::size_t p = 0; p != shaft.joining_count; ++p) {
+      EXPECT_NEAR(std::hypot(shaft.joining_normal0[p], shaft.joining_normal1[p]), 1, 1e-6) << "seed 7, shaft " << i;
     }
   }
 }
@@ -84,15 +92,20 @@ TEST(JoiningPlanes, AreFiniteForAllFiniteBoxes) {
     };
     const Box a = i % 2 == 0 ? Random::sorted(wild(), wild()) : Random::sorted(huge(), huge());
     const Box b = i % 2 == 0 ? Random::sorted(wild(), wild()) : Random::sorted(huge(), huge());
-    for (const bool spheres : {false, true}) {
-      const Shaft shaft = Shaft(a, b, {.spheres = spheres});
-      for (const JoiningPlane& joining : shaft.joining_planes()) {
-        const Vec3& n = joining.plane.normal;
-        const std::string where = "seed 11, shaft " + std::to_string(i);
-        EXPECT_TRUE(std::isfinite(n[0]) && std::isfinite(n[1]) && std::isfinite(n[2])) << where;
-        EXPECT_TRUE(std::isfinite(joining.plane.offset)) << where;
-        EXPECT_FALSE(n[0] == 0 && n[1] == 0 && n[2] == 0) << where;
-      }
+    const std::string where = "seed 11, shaft " + std::to_string(i);
+    const Shaft shaft(a, b);
+    for (const JoiningPlane& joining : shaft.joining_planes()) {
+      const Vec3& n = joining.plane.normal;
+      EXPECT_TRUE(std::isfinite(n[0]) && std::isfinite(n[1]) && std::isfinite(n[2])) << where;
+      EXPECT_TRUE(std::isfinite(joining.plane.offset)) << where;
+      EXPECT_FALSE(n[0] == 0 && n[1] == 0 && n[2] == 0) << where;
+    }
+    const CompiledShaft compiled = compile(shaft);
+    const kernel::ShaftData& data = kernel::data_of(compiled);
+    for (std::size_t p = 0; p != data.joining_count; ++p) {
+      EXPECT_TRUE(std::isfinite(data.joining_normal0[p]) && std::isfinite(data.joining_normal1[p])) << where;
+      EXPECT_TRUE(std::isfinite(data.joining_minus_offset[p])) << where;
+      EXPECT_FALSE(data.joining_normal0[p] == 0 && data.joining_normal1[p] == 0) << where;
     }
   }
 }
@@ -106,12 +119,11 @@ TEST(JoiningPlanes, OfDenormalBoxesAreThoseOfTheSameBoxesMagnified) {
     return box;
   };
   const Shaft large(a, b);
-  for (const bool spheres : {false, true}) {
-    const Shaft small(scaled(a), scaled(b), {.spheres = spheres});
-    ASSERT_EQ(small.joining_planes().size(), large.joining_planes().size());
-    for (std::size_t i = 0; i != large.joining_planes().size(); ++i) {
-      EXPECT_EQ(small.joining_planes()[i].plane.normal, large.joining_planes()[i].plane.normal);
-    }
+  const Shaft small(scaled(a), scaled(b));
+  ASSERT_EQ(small.joining_planes().size(), large.joining_planes().size());
+  for (std::size_t i = 0; i != large.joining_planes().size(); ++i) {
+    const Plane right = unit(large.joining_planes()[i].plane);
+    EXPECT_LT(distance_between(unit(small.joining_planes()[i].plane), {right.normal, right.offset * 0x1p-149F}), 1e-6);
   }
 }
 

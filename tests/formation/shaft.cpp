@@ -62,13 +62,6 @@ TEST(Shaft, RefusesLoAboveHiAndNamesTheValues) {
   EXPECT_THAT(message_of([&] { Shaft(bad, far_box); }), HasSubstr("box a: lo.x = 3 is above hi.x = 1"));
 }
 
-TEST(Shaft, RefusesToAnswerNothing) {
-  EXPECT_THAT(message_of([&] { Shaft(unit_box, far_box, {.outside = false, .inside = false}); }),
-              HasSubstr("must answer something"));
-  EXPECT_NO_THROW(Shaft(unit_box, far_box, {.outside = false}));
-  EXPECT_NO_THROW(Shaft(unit_box, far_box, {.inside = false}));
-}
-
 TEST(AddedPlane, IsKeptAsGiven) {
   Shaft shaft(unit_box, far_box);
   const Plane plane{{2, -3, 0}, 4};

@@ -79,14 +79,11 @@ Case Case::read(std::span<const std::uint8_t> bytes) {
                                    PlaneOrder::by_added_volume};
   it.options.formation = formations[options % 4];
   it.options.order = orders[options / 4 % 4];
-  it.options.outside = (options & 16U) == 0;
-  it.options.inside = (options & 32U) == 0;
-  it.options.spheres = (options & 64U) == 0;
-  it.options.contact = (options & open_contact) == 0 ? Contact::closed : Contact::open;
+  it.contact = (options & open_contact) == 0 ? Contact::closed : Contact::open;
   const std::uint8_t shape = reader.byte();
   const unsigned subject = static_cast<unsigned>(shape) >> subject_shift;
   it.subject = static_cast<Subject>(subject == 7 ? 0 : subject);
-  if (it.subject != Subject::between_boxes) it.options.outside = it.options.inside = it.options.spheres = true;
+  it.has_groups = it.subject != Subject::between_boxes || (options & 64U) == 0;
   it.a = reader.box();
   it.b = reader.box();
   if ((shape & sort_corners) != 0) {
@@ -135,11 +132,11 @@ Case::Input Case::input(const std::vector<Plane>& added) const {
     for (const Plane& plane : planes) others.push_back(plane.normal);
     return hull;
   }
-  if (!is_moving()) return ShaftInput{a, b, added, options.contact};
+  if (!is_moving()) return ShaftInput{a, b, added, contact};
   constexpr MovingInput::Kind kinds[] = {MovingInput::Kind::swept, MovingInput::Kind::swept_infinite,
                                          MovingInput::Kind::shadow, MovingInput::Kind::shadow_without_end};
   const auto kind = kinds[static_cast<std::size_t>(subject) - static_cast<std::size_t>(Subject::swept)];
-  return MovingInput{kind, a, b.lo, b, reach, added, options.contact};
+  return MovingInput{kind, a, b.lo, b, reach, added, contact};
 }
 
 Case::Input Case::input() const {

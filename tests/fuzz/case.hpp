@@ -21,7 +21,7 @@ namespace shaftcull::fuzz {
 ///
 /// | bytes   | meaning |
 /// |---------|---------|
-/// | 0       | formation (% 4), order (/ 4 % 4), bits 4: not outside, 5: not inside, 6: no spheres, 7: open contact |
+/// | 0       | formation (% 4), order (/ 4 % 4), bit 6: the library makes the groups, 7: open contact |
 /// | 1       | planes added (% 4); bit 2: sort corners of all boxes; bit 3: bounds derived from the shaft |
 /// |         | bit 4: fill a word; bits 5 … 7: what the shaft is made of, a Subject; 7 is as 0 |
 /// | 2 … 49  | two boxes: lo x y z, hi x y z of a, then of b; little-endian floats |
@@ -31,7 +31,7 @@ namespace shaftcull::fuzz {
 ///
 /// A body or an occluder is a; b.lo is the displacement, b the light. Points of a hull are the corners lo and hi of a
 /// and b and the planes' normals; of one without end b.hi and the normals are directions. Of these, byte 0 has a
-/// meaning for contact only.
+/// meaning for contact only. Groups are those of triangles, where all is the input of a visibility query.
 ///
 /// A derived coordinate is a coordinate of the shaft moved by some ulps: it is what makes bounds touch. The bounds are
 /// read as boxes, and the same coordinates four by four as spheres.
@@ -50,6 +50,8 @@ struct Case {
 
   Subject subject = Subject::between_boxes;
   ShaftOptions options;
+  Contact contact = Contact::closed;
+  bool has_groups = true;
   Box a{};
   Box b{};
   float reach = 1;

@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -77,7 +78,7 @@ auto unless_refused(const Call& call) -> std::optional<decltype(call())> {
 /// The shaft, if it may be formed; a fault if it is refused without reason or accepted without right.
 std::optional<Shaft> formed(const Case& it) {
   std::optional<Shaft> shaft = unless_refused([&] { return Shaft(it.a, it.b, it.options); });
-  const bool is_right = is_joinable(it.a) && is_joinable(it.b) && (it.options.outside || it.options.inside);
+  const bool is_right = is_joinable(it.a) && is_joinable(it.b);
   if (shaft.has_value() != is_right) fail(is_right ? "refused to form a good shaft" : "formed a bad shaft", it);
   if (!shaft) return shaft;
   for (const Formation formation : {Formation::search, Formation::table64, Formation::table729}) {
@@ -132,12 +133,12 @@ class Page {
   std::vector<std::uint64_t> words_;
 };
 
-/// All that can be asked of a shaft and a view; nothing where the shaft does not answer.
+/// All that can be asked of a shaft and a view.
 struct Answers {
-  std::optional<Words> culled;
-  std::optional<Words> kept;
-  std::optional<Words> inside;
-  std::optional<Words> inside_alone;
+  Words culled{};
+  Words kept{};
+  Words inside{};
+  Words inside_alone{};
 };
 
 const char* text(Form form) { return form == Form::slab ? "slab" : "planes"; }
@@ -153,7 +154,7 @@ class Comparison {
       select_isa(Isa::scalar);
       Answers& scalar = form == Form::slab ? slab_ : planes_;
       scalar = ask_all(shaft, form);
-      check(scalar, form);
+      check(scalar);
       for (const Isa isa : isas()) {
         if (isa == Isa::scalar || !is_drawn(isa)) continue;
         select_isa(isa);
@@ -168,7 +169,7 @@ class Comparison {
       }
       if (!it_.is_hull()) run_on_triangles(shaft);
     }
-    if (slab_.culled && (!draw_ || *draw_ % 4 == 0)) {
+    if (!draw_ || *draw_ % 4 == 0) {
       for (const Isa isa : isas()) {
         if (!is_drawn(isa)) continue;
         for (const unsigned doublings : {0U, 6U}) {
@@ -178,8 +179,8 @@ class Comparison {
     }
     for (std::size_t i = 0; i != bounds_.size(); ++i) {
       if (!is_specified(bounds_[i])) continue;
-      if (slab_.culled && bit(*slab_.culled, i) != bit(*planes_.culled, i)) fail_at(i, "forms keep differently");
-      if (slab_.inside && bit(*slab_.inside, i) != bit(*planes_.inside, i)) fail_at(i, "forms differ about inside");
+      if (bit(slab_.culled, i) != bit(planes_.culled, i)) fail_at(i, "forms keep differently");
+      if (bit(slab_.inside, i) != bit(planes_.inside, i)) fail_at(i, "forms differ about inside");
     }
   }
 
@@ -190,14 +191,14 @@ class Comparison {
 
   void run_on_grid(const CompiledShaft& shaft, Isa isa, unsigned doublings) {
     select_isa(isa);
-    const GridAnswers on_grid = grid_answers(shaft, memory_.view(), doublings, 1, slab_.inside.has_value());
+    const GridAnswers on_grid = grid_answers(shaft, memory_.view(), doublings);
     const auto as_words = [](const std::vector<std::uint64_t>& row) {
       Words words{};
       std::copy(row.begin(), row.end(), words.begin());
       return words;
     };
-    require_equal(as_words(on_grid.kept), *slab_.culled, "a tile (kept)", isa, Form::slab);
-    if (slab_.inside) require_equal(as_words(on_grid.inside), *slab_.inside, "a tile (inside)", isa, Form::slab);
+    require_equal(as_words(on_grid.kept), slab_.culled, "a tile (kept)", isa, Form::slab);
+    require_equal(as_words(on_grid.inside), slab_.inside, "a tile (inside)", isa, Form::slab);
   }
 
   /// What blocks in a view is what blocks alone, where the exact predicate is asked.
@@ -213,7 +214,7 @@ class Comparison {
         fail_at(i, "list_occluders() on " + std::string(name(isa)) + " and occluded() differ");
       }
       if (is_listed && has_nan(bounds_[i])) fail_at(i, "blocks, but has a NaN");
-      if (is_listed && slab_.culled && it_.planes.empty() && !bit(*slab_.culled, i)) fail_at(i, "blocks from outside");
+      if (is_listed && it_.planes.empty() && !bit(slab_.culled, i)) fail_at(i, "blocks from outside");
     }
     const std::optional<std::uint32_t> first = find_occluder(shaft, memory_.view());
     if (first.has_value() == listed.empty() || (first && *first != listed[0])) fail("find_occluder() differs", it_);
@@ -221,7 +222,6 @@ class Comparison {
 
   /// Triangles made of the boxes' corners: the same bits on every set, and the exact ones where all is finite.
   void run_on_triangles(const CompiledShaft& shaft) {
-    if (!slab_.culled) return;
     std::vector<Triangle> triangles;
     for (std::size_t i = 0; i != bounds_.size(); ++i) {
       const Box& box = bounds_[i];
@@ -242,7 +242,7 @@ class Comparison {
           const auto& [kept, inside] = answers;
           for (std::size_t i = 0; i != triangles.size(); ++i) {
             if (!are_finite(triangles[i])) continue;
-            if (it_.options.inside) require_inside(closed, triangles[i], bit(kept, i), bit(inside, i));
+            require_inside(closed, triangles[i], bit(kept, i), bit(inside, i));
             require_exact_triangle(triangles[i], test, bit(kept, i));
           }
         }
@@ -250,11 +250,10 @@ class Comparison {
       }
     }
   }
-  /// Bits of triangles that are kept, and of those inside if the shaft tells them.
+  /// Bits of triangles that are kept, and of those inside.
   std::pair<Words, Words> triangles_of(const CompiledShaft& shaft, const TriangleView& triangles, TriangleTest test) {
     cull(shaft, triangles, kept_.unwritten(), {.triangle_test = test});
     const Words kept = kept_.read();
-    if (!it_.options.inside) return {kept, Words{}};
     classify(shaft, triangles, kept_.unwritten(), inside_.unwritten(), {.triangle_test = test});
     if (kept_.read() != kept) fail("cull() and classify() keep different triangles", it_);
     return {kept, inside_.read()};
@@ -296,29 +295,21 @@ class Comparison {
 
   Answers ask_all(const CompiledShaft& shaft, Form form) {
     Answers answers;
-    if (const auto both = unless_refused([&] { return classified(shaft, form); })) {
-      answers.kept = both->first;
-      answers.inside = both->second;
-    }
-    answers.culled = unless_refused([&] { return culled(shaft, form); });
+    std::tie(answers.kept, answers.inside) = classified(shaft, form);
+    answers.culled = culled(shaft, form);
     // Without kept bounds, the form makes no difference.
-    answers.inside_alone =
-        form == Form::slab ? unless_refused([&] { return inside_alone(shaft); }) : slab_.inside_alone;
+    answers.inside_alone = form == Form::slab ? inside_alone(shaft) : slab_.inside_alone;
     return answers;
   }
 
-  /// Asks the active instruction set as little as says it all. Refusals come before it is chosen, and are not asked for
-  /// again.
+  /// Asks the active instruction set.
   void require_same(const CompiledShaft& shaft, const Answers& scalar, Isa isa, Form form) {
-    if (scalar.inside) {
-      const auto [kept, inside] = classified(shaft, form);
-      require_equal(kept, *scalar.kept, "classify() (kept)", isa, form);
-      require_equal(inside, *scalar.inside, "classify() (inside)", isa, form);
-    } else if (scalar.culled) {
-      require_equal(culled(shaft, form), *scalar.culled, "cull()", isa, form);
-    } else if (scalar.inside_alone) {
-      require_equal(inside_alone(shaft), *scalar.inside_alone, "classify() (inside alone)", isa, form);
-    }
+    require_equal(culled(shaft, form), scalar.culled, "cull()", isa, form);
+    if (form == Form::slab)
+      require_equal(inside_alone(shaft), scalar.inside_alone, "classify() (inside alone)", isa, form);
+    const auto [kept, inside] = classified(shaft, form);
+    require_equal(kept, scalar.kept, "classify() (kept)", isa, form);
+    require_equal(inside, scalar.inside, "classify() (inside)", isa, form);
   }
 
   [[noreturn]] void fail_at(std::size_t i, const std::string& what) const {
@@ -334,26 +325,19 @@ class Comparison {
     fail(where + " writes past the last bound", it_);
   }
 
-  void check(const Answers& answers, Form form) const {
-    const ShaftOptions& can = it_.options;
-    const bool refuses = std::is_same_v<Bound, Sphere> && !can.spheres;
-    if (answers.culled.has_value() != (can.outside && !refuses) ||
-        answers.inside.has_value() != (can.outside && can.inside && !refuses) ||
-        answers.inside_alone.has_value() != (can.inside && !refuses)) {
-      fail(std::string("what is refused is not what the options leave out, form ") + text(form), it_);
-    }
-    if (answers.inside && answers.kept != answers.culled) fail("cull() and classify() keep differently", it_);
+  void check(const Answers& answers) const {
+    if (answers.kept != answers.culled) fail("cull() and classify() keep differently", it_);
     for (std::size_t i = 0; i != bounds_.size(); ++i) {
-      if (answers.inside && bit(*answers.inside, i) && !bit(*answers.kept, i)) fail_at(i, "inside but not kept");
-      if (answers.inside_alone && bit(*answers.inside_alone, i) && has_nan(bounds_[i])) fail_at(i, "NaN inside");
-      if (answers.inside && is_specified(bounds_[i]) && bit(*answers.inside, i) != bit(*answers.inside_alone, i)) {
+      if (bit(answers.inside, i) && !bit(answers.kept, i)) fail_at(i, "inside but not kept");
+      if (bit(answers.inside_alone, i) && has_nan(bounds_[i])) fail_at(i, "NaN inside");
+      if (is_specified(bounds_[i]) && bit(answers.inside, i) != bit(answers.inside_alone, i)) {
         fail_at(i, "inside alone is another answer");
       }
     }
     const std::size_t rest = bounds_.size() % 64;
-    for (const std::optional<Words>* words : {&answers.culled, &answers.inside, &answers.inside_alone}) {
-      if (rest == 0 || !words->has_value()) continue;
-      if ((**words)[bounds_.size() / 64] >> rest != 0) fail("bits past the last bound are set", it_);
+    if (rest == 0) return;
+    for (const Words* words : {&answers.culled, &answers.inside, &answers.inside_alone}) {
+      if ((*words)[bounds_.size() / 64] >> rest != 0) fail("bits past the last bound are set", it_);
     }
   }
 
@@ -498,21 +482,19 @@ void require_exact_times(const Case& it, const CompiledShaft& shaft, std::size_t
 
 void check_exact_between(const Case& it, const ShaftInput& of, std::size_t most_bounds) {
   if (!is_joinable(it.a) || !is_joinable(it.b)) return;
-  Shaft shaft(of.a, of.b, {.contact = of.contact});
-  for (const Plane& plane : of.added) shaft.add_plane(plane);
-  const CompiledShaft compiled = compile(shaft);
+  const CompiledShaft shaft = shaft_of(of);
   if (of.contact == Contact::open) {
-    require_exact(it, compiled, oracle::OpenHull(of), most_bounds);
+    require_exact(it, shaft, oracle::OpenHull(of), most_bounds);
   } else {
-    require_exact(it, compiled, oracle::Hull(of.a, of.b, of.added), most_bounds);
+    require_exact(it, shaft, oracle::Hull(of.a, of.b, of.added), most_bounds);
   }
   for (std::size_t i = 0; i != std::min(most_bounds, it.boxes.size()); ++i) {
     const bool right = oracle::blocks(of.a, of.b, it.boxes[i]);
-    if (occluded(compiled, it.boxes[i]) != right) {
+    if (occluded(shaft, it.boxes[i]) != right) {
       fail(source_text(it.boxes[i]) + (right ? "\n  blocks" : "\n  does not block") + ", answered otherwise", it);
     }
   }
-  require_exact_times(it, compiled, most_bounds, [&](const Box& box) { return oracle::entry_time(of.a, of.b, box); });
+  require_exact_times(it, shaft, most_bounds, [&](const Box& box) { return oracle::entry_time(of.a, of.b, box); });
 }
 
 void check_exact_moving(const Case& it, const MovingInput& of, std::size_t most_bounds) {
@@ -532,17 +514,16 @@ void check_exact_hull(const Case& it, const HullInput& of, std::size_t most_boun
 }
 
 void check_between_boxes(const Case& it, std::optional<unsigned> draw) {
-  std::optional<CompiledShaft> pending = batched(it);
-  const std::optional<Shaft> shaft = formed(it);
-  if (!shaft) return;
-  const CompiledShaft compiled = compile(*shaft);
-  if (!same_slab(compiled, *pending)) fail("compile() and compile_batch() differ", it);
-  set_contact(*pending, it.options.contact);
-  const bool asks_the_same =
-      it.options.outside && it.options.inside && it.options.spheres && shaft->added_planes().empty();
-  const CompiledShaft* const batch = asks_the_same ? &*pending : nullptr;
-  Comparison<Box>(it, it.boxes, draw).run(compiled, batch);
-  Comparison<Sphere>(it, it.spheres, draw).run(compiled, batch);
+  const std::optional<CompiledShaft> batch = batched(it);
+  const std::optional<Shaft> formed_one = formed(it);
+  if (!formed_one) return;
+  CompiledShaft shaft = compile(*formed_one);
+  CompiledShaft pending = compile(it.a, it.b, formed_one->added_planes());
+  if (!same_slab(shaft, *batch) || !same_slab(shaft, pending)) fail("compile() and compile_batch() differ", it);
+  set_contact(shaft, it.contact);
+  set_contact(pending, it.contact);
+  Comparison<Box>(it, it.boxes, draw).run(shaft, &pending);
+  Comparison<Sphere>(it, it.spheres, draw).run(shaft, &pending);
 }
 
 void check_moving(const Case& it, const MovingInput& input, std::optional<unsigned> draw) {

@@ -219,10 +219,7 @@ void write_odd_values(const std::filesystem::path& folder) {
   write(plain, "nan-bounds", 0,
         {{{nan, 0, 0}, {1, 1, 1}}, {{nan, nan, nan}, {nan, nan, nan}}, {{0, 0, 0}, {1, -nan, inf}}});
   write(plain, "inverted-bounds", 0, {{{1, 0, 0}, {0, 1, 1}}, {{5, 5, 5}, {-5, -5, -5}}});
-  write(plain, "outside-only", 32, {unit, away});
-  write(plain, "inside-only", 16, {unit, away});
-  write(plain, "no-spheres", 64, {unit, away});
-  write(plain, "no-answers", 48, {unit});
+  write(plain, "no-groups", 64, {unit, away});
   write({unit, unit}, "equal-boxes", 0, {unit, away});
   write({unit, {{2, 0, 0}, {3, 1, 1}}}, "purple-faces", 0,
         {unit, {{1, 1, 1}, {2, 2, 2}}, {{1.5F, -1, 0}, {1.5F, 0, 0}}});

@@ -135,7 +135,7 @@ SightScene scene_of(const Case& it, const Usable& usable) {
   SightScene scene{};
   scene.scenery = SightScenery::wild;
   scene.is_of_one_set = it.options.order == PlaneOrder::unsorted || it.options.order == PlaneOrder::by_volume;
-  scene.contact = it.options.contact;
+  scene.contact = it.contact;
   scene.solids_around_ends = it.planes.size() % 2 == 0;
   const std::vector<Box>& boxes = usable.boxes;
   for (std::size_t i = 0; i != boxes.size(); ++i) {
@@ -149,7 +149,7 @@ SightScene scene_of(const Case& it, const Usable& usable) {
     const std::size_t kind = (i + static_cast<std::size_t>(it.subject)) % kinds;
     add_occluder(scene, kind == 2 && scene.first_hull.size() > 1 ? 0 : kind, boxes[i], boxes[(i + 1) % boxes.size()]);
   }
-  if (it.options.spheres && !scene.triangles.empty()) {  // else the library makes the groups
+  if (it.has_groups && !scene.triangles.empty()) {  // else the library makes the groups
     scene.first_triangle = {0, scene.triangles.size() / 2, scene.triangles.size()};
     if (scene.triangles.size() == 1) scene.first_triangle = {0, 1};
   }

@@ -90,24 +90,6 @@ void check_tree(const Case& it, const CompiledShaft& shaft, const std::vector<Bo
   }
 }
 
-/// Forms the shaft between both boxes with those planes that it takes; throws InvalidArgument if it may not be formed.
-CompiledShaft between_boxes(const Case& it) {
-  Shaft shaft(it.a, it.b, it.options);
-  for (const Plane& plane : it.planes) {
-    try {
-      shaft.add_plane(plane);
-    } catch (const InvalidArgument&) {  // check_answers() knows whether rightly
-    }
-  }
-  return compile(shaft);
-}
-
-void check_both_trees(const Case& it, const CompiledShaft& shaft) {
-  if (!it.options.outside || !it.options.inside) return;
-  check_tree(it, shaft, it.boxes);
-  if (it.options.spheres) check_tree(it, shaft, it.spheres);
-}
-
 }  // namespace
 
 void check_trees(const Case& it) {
@@ -121,13 +103,14 @@ void check_trees(const Case& it) {
       hull.emplace(vertices->points, vertices->directions);
       shaft = *hull;
     } else {
-      shaft = between_boxes(it);
+      shaft = shaft_of(std::get<ShaftInput>(input));
     }
   } catch (const InvalidArgument&) {
     return;
   }
   const Isa before = active_isa();
-  check_both_trees(it, *shaft);
+  check_tree(it, *shaft, it.boxes);
+  check_tree(it, *shaft, it.spheres);
   select_isa(before);
 }
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "shaftcull/cull.hpp"
+#include "shaftcull/paper.hpp"
 #include "shaftcull/volumes.hpp"
 
 namespace shaftcull {
@@ -79,7 +80,6 @@ TEST(CompiledShaft, HasTheContactThatItWasGiven) {
   EXPECT_EQ(swept(lamp, {1, 2, 3}).contact(), Contact::closed);
   EXPECT_EQ(compile(lamp, table, Contact::open).contact(), Contact::open);
   EXPECT_EQ(compile(lamp, table, Contact::closed).contact(), Contact::closed);
-  EXPECT_EQ(compile(Shaft(lamp, table, {.contact = Contact::open})).contact(), Contact::open);
   compile_batch(from.view(), to.view(), batch, {}, Contact::open);
   EXPECT_EQ(batch[0].contact(), Contact::open);
   compile_batch(from.view(), to.view(), batch);
@@ -94,11 +94,6 @@ TEST(CompiledShaft, HasTheContactThatItWasGiven) {
   set_contact(moved, Contact::open);
   EXPECT_EQ(moved.contact(), Contact::open);
   EXPECT_TRUE(same_bits(moved.a(), lamp));
-}
-
-TEST(CompiledShaft, IsFormedForWhateverItAnswers) {
-  EXPECT_TRUE(compile(Shaft(lamp, table, {.inside = false})).formed());
-  EXPECT_TRUE(compile(Shaft(lamp, table, {.outside = false})).formed());
 }
 
 TEST(CompiledShaft, ThatWasNeverFormedHasEmptyBoxesAndNoPlanes) {

@@ -175,9 +175,7 @@ TEST(ViewPlanes, LeaveOutWhatCutsNothingOff) {
 
 TEST(ViewPlanes, FitAShaft) {
   const Box world{{-50, -50, -50}, {50, 50, 50}};
-  Shaft camera(world, world);
-  for (const Plane& plane : view_planes(perspective_gl, ClipDepth::minus_one_to_one)) camera.add_plane(plane);
-  const CompiledShaft shaft = compile(camera);
+  const CompiledShaft shaft = compile(world, world, view_planes(perspective_gl, ClipDepth::minus_one_to_one));
   EXPECT_TRUE(keeps(shaft, Box{{-0.5F, -0.5F, -4}, {0.5F, 0.5F, -3}}));
   EXPECT_FALSE(keeps(shaft, Box{{-0.5F, -0.5F, 3}, {0.5F, 0.5F, 4}})) << "behind the camera";
   EXPECT_FALSE(keeps(shaft, Box{{8, -0.5F, -4}, {9, 0.5F, -3}})) << "to the right of what is in view";

@@ -81,9 +81,10 @@ void expect_all(const std::vector<Bound>& bounds) {
   const GuardedView guarded(memory.view());
   const Box a{{-4, -2, -1}, {-3, 0, 1}};
   const Box b{{2, -1, -2}, {4, 2, 2}};
-  Shaft cut(a, b);
-  cut.add_plane({{0, 1, 1}, 1});
-  for (const CompiledShaft& shaft : {compile(a, b), compile(Shaft(a, b)), compile(cut)}) {
+  const Plane plane{{0, 1, 1}, 1};
+  CompiledShaft with_joining_planes = compile(a, b);
+  complete(with_joining_planes);
+  for (const CompiledShaft& shaft : {compile(a, b), with_joining_planes, compile(a, b, std::span(&plane, 1))}) {
     for (const Form form : forms) {
       expect_numbers_and_lists(shaft, guarded.view(), form);
     }

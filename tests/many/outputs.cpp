@@ -268,7 +268,7 @@ TEST(Outputs, ListManyListsTheSetBitsOfEachRowAscending) {
 }
 
 TEST(Outputs, ListManyListsEverythingIfAllIsKept) {
-  const std::vector<CompiledShaft> shafts(3, compile(Shaft({{-9, -9, -9}, {0, 0, 0}}, {{0, 0, 0}, {9, 9, 9}})));
+  const std::vector<CompiledShaft> shafts(3, compile({{-9, -9, -9}, {0, 0, 0}}, {{0, 0, 0}, {9, 9, 9}}));
   const BoxColumns memory(std::vector<Box>(5000, Box{{-1, -1, -1}, {1, 1, 1}}));
   IndexLists lists;
   list_many(shafts, memory.view(), lists);

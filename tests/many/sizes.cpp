@@ -46,16 +46,12 @@ std::vector<std::size_t> bound_counts() {
 std::vector<CompiledShaft> mixed_shafts() {
   std::vector<CompiledShaft> shafts = random_shafts(seed, most_shafts);
   const Box world{{-6, -6, -6}, {6, 6, 6}};
-  Shaft camera(world, world);
-  camera.add_plane({{1, 0, 0}, 2});
-  camera.add_plane({{0, 1, 1}, 3});
-  shafts[1] = compile(camera);
-  shafts[2] = compile(Shaft({{-4, -1, -1}, {-3, 1, 1}}, {{3, -1, -1}, {4, 1, 1}}));
-  shafts[3] = compile(Shaft({{-3e38F, -2, -2}, {-1, 2, 2}}, {{0, -1, -3}, {2, 1, 1}}));
-  shafts[4] = compile(Shaft({{0, 0, 0}, {1, 1, 1}}, {{2, 3, 0}, {4, 4, 2}}));
-  Shaft cut({{-5, -4, -4}, {-2, 3, 1}}, {{1, -2, 0}, {5, 2, 4}});
-  cut.add_plane({{0, 0, 1}, 1});
-  shafts[64] = compile(cut);
+  const std::vector<Plane> planes = {{{1, 0, 0}, 2}, {{0, 1, 1}, 3}, {{0, 0, 1}, 1}};
+  shafts[1] = compile(world, world, std::span(planes).first(2));
+  shafts[2] = compile({{-4, -1, -1}, {-3, 1, 1}}, {{3, -1, -1}, {4, 1, 1}});
+  shafts[3] = compile({{-3e38F, -2, -2}, {-1, 2, 2}}, {{0, -1, -3}, {2, 1, 1}});
+  shafts[4] = compile({{0, 0, 0}, {1, 1, 1}}, {{2, 3, 0}, {4, 4, 2}});
+  shafts[64] = compile({{-5, -4, -4}, {-2, 3, 1}}, {{1, -2, 0}, {5, 2, 4}}, std::span(planes).last(1));
   return shafts;
 }
 

@@ -41,7 +41,7 @@ class Wide : public testing::Test {
   const std::vector<std::uint64_t> far_ = {3, 0xfffffffe, 0xffffffff, 0x100000000, count - 1};
   float* number_ = nullptr;
   BoxView boxes_;
-  const CompiledShaft shaft_ = compile(Shaft({{4, 4, 4}, {6, 6, 6}}, {{7, 7, 7}, {8, 9, 10}}));
+  const CompiledShaft shaft_ = compile({{4, 4, 4}, {6, 6, 6}}, {{7, 7, 7}, {8, 9, 10}});
 };
 
 TEST_F(Wide, BitsAndCountsAreOfAllBounds) {

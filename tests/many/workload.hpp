@@ -12,7 +12,6 @@
 #include "sanitizers.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
-#include "shaftcull/paper.hpp"
 
 #if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
 #include <oneapi/tbb/global_control.h>
@@ -40,7 +39,7 @@ inline std::vector<CompiledShaft> random_shafts(std::uint64_t seed, std::size_t 
   Random random(seed);
   std::vector<CompiledShaft> shafts;
   for (std::size_t s = 0; s != count; ++s) {
-    shafts.push_back(compile(Shaft(random.box(-5, 5, 0.2F, 2.0F), random.box(-5, 5, 0.2F, 2.0F))));
+    shafts.push_back(compile(random.box(-5, 5, 0.2F, 2.0F), random.box(-5, 5, 0.2F, 2.0F)));
     if (s % 4 == 3) set_contact(shafts.back(), Contact::open);
   }
   return shafts;

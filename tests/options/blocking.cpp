@@ -32,10 +32,8 @@ std::vector<CompiledShaft> shafts_across(Random& random, std::size_t count) {
     Box b = random.box(-4, 4, 0, 0.4F);
     for (float* const x : {&a.lo[0], &a.hi[0]}) *x -= 10;
     for (float* const x : {&b.lo[0], &b.hi[0]}) *x += 10;
-    const unsigned kind = random.below(6);
-    Shaft shaft(a, b, {.outside = kind != 1, .spheres = kind != 2});
-    if (kind == 3) shaft.add_plane({{1, 0, 0}, -20});
-    shafts.push_back(kind == 0 ? compile(a, b) : compile(shaft));
+    const Plane plane{{1, 0, 0}, -20};
+    shafts.push_back(compile(a, b, std::span(&plane, random.one_in(6) ? 1 : 0)));
     if (random.one_in(3)) set_contact(shafts.back(), Contact::open);
     if (random.one_in(4)) set_form(shafts.back(), Form::planes);
   }

@@ -239,23 +239,24 @@ class ShaftSet {
       case 0:
         return compile(a, b);  // joining planes are pending
       case 1: {
-        Shaft shaft(a, b);
-        const unsigned planes = 1 + random.below(3);
-        for (unsigned p = 0; p != planes; ++p) shaft.add_plane({random.vec3(-1, 1), random.uniform(-1, 3)});
-        return compile(shaft);
+        std::vector<Plane> planes(1 + random.below(3));
+        for (Plane& plane : planes) plane = {random.vec3(-1, 1), random.uniform(-1, 3)};
+        CompiledShaft shaft = compile(a, b, planes);
+        complete(shaft);
+        return shaft;
       }
       case 2:
         return random.one_in(2) ? swept(a, way) : swept_infinite(a, way);
       case 3:
         return random.one_in(2) ? shadow(beside, a, 3.0F) : shadow(a, beside);
       case 4:  // of boxes on the lattice
-        return compile(Shaft(on_lattice, random.grid_box(-5, 5)));
+        return compile(on_lattice, random.grid_box(-5, 5));
       case 6:  // most bounds are inside
-        return compile(Shaft({{-9, -9, -9}, {9, 9, 9}}, {{-9, -9, -9}, {9, 9, random.uniform(0, 9)}}));
+        return compile({{-9, -9, -9}, {9, 9, 9}}, {{-9, -9, -9}, {9, 9, random.uniform(0, 9)}});
       case 7:  // all bounds but infinite ones are outside
         return compile({{50, 50, 50}, {51, 51, 51}}, {{60, 50, 50}, {61, 51, 51}});
       default:
-        return compile(Shaft(a, b));
+        return compile(a, b);
     }
   }
 

@@ -291,56 +291,5 @@ TYPED_TEST(QueryOptions, OfNoShaftsGiveNothing) {
   }
 }
 
-TYPED_TEST(QueryOptions, GoWithShaftsThatAnswerInsideAlone) {
-  constexpr std::uint64_t seed = 5100;
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  Random random(seed);
-  const Scene<TypeParam> scene(random, bounds_of<TypeParam>(random, 700), true);
-  std::vector<CompiledShaft> whole;
-  std::vector<CompiledShaft> inside_alone;
-  for (int s = 0; s != 12; ++s) {
-    const Box a = s % 3 == 0 ? Box{{-6, -6, -6}, {6, 6, 0}} : random.box(-4, 4, 1.0F, 4.0F);
-    const Box b = random.box(-4, 4, 1.0F, 4.0F);
-    Shaft full(a, b);
-    Shaft part(a, b, {.outside = false});
-    if (s % 4 == 1) {
-      const Plane plane{random.vec3(-1, 1), random.uniform(0, 3)};
-      full.add_plane(plane);
-      part.add_plane(plane);
-    }
-    whole.push_back(compile(full));
-    inside_alone.push_back(compile(part));
-  }
-  const Truth truth = truth_of<TypeParam>(whole, scene.bounds());
-  std::size_t found = 0;
-  for (std::size_t i = 0; i != random_cases(12); ++i) {
-    const QueryCase options(random, truth, Options::all & ~Options::limit);
-    SCOPED_TRACE(options.text());
-    for (const Holder& holder : scene.holders()) {
-      if (options.asks_for_layers() && !holder.has_layers) continue;
-      SCOPED_TRACE(holder.name);
-      const std::size_t row = bit_words(holder.bounds.size());
-      std::vector<std::uint64_t> right;
-      for (std::size_t s = 0; s != whole.size(); ++s) {
-        const ShaftLists lists = options.lists(truth, scene.layers(), s, holder.order);
-        const std::vector<std::uint64_t> bits = bits_of(lists.inside, holder.bounds.size());
-        found += lists.inside.size();
-        right.insert(right.end(), bits.begin(), bits.end());
-        std::vector<std::uint64_t> inside(row, sentinel);
-        classify(inside_alone[s], holder.bounds, {}, inside, options.of_one(s));
-        EXPECT_EQ(inside, bits) << "classify, shaft " << s;
-      }
-      std::vector<std::uint64_t> inside_rows(right.size(), sentinel);
-      classify_many(inside_alone, holder.bounds, {}, inside_rows, options.of_all());
-      expect_rows(inside_rows, right, "classify_many", row);
-      std::vector<std::uint64_t> kept_rows(right.size(), sentinel);
-      EXPECT_THROW(classify_many(inside_alone, holder.bounds, kept_rows, inside_rows, options.of_all()),
-                   InvalidArgument);
-      if (this->HasFailure()) return;
-    }
-  }
-  EXPECT_GT(found, 1000U);
-}
-
 }  // namespace
 }  // namespace shaftcull

@@ -45,7 +45,7 @@ TEST(TreeAny, EndsAtTheFirstBoundThatIsKept) {
   const std::vector<Box> boxes = scene<Box>(random, Shape::uniform, 300000);
   const BoxTree tree{std::span<const Box>(boxes)};
   // Reaches all boxes; thin, so that no node is inside and walks go down to the leaves.
-  const CompiledShaft shaft = compile(Shaft({{-6, -6, 0}, {6, 6, 0.01F}}, {{-6, -6, 0}, {6, 6, 0.01F}}));
+  const CompiledShaft shaft = compile({{-6, -6, 0}, {6, 6, 0.01F}}, {{-6, -6, 0}, {6, 6, 0.01F}});
   kernel::Counter counter(kernel::active_kernels());
   const std::size_t all = words_tested_by(counter, tree, shaft);
   kernel::Finder finder;
@@ -60,14 +60,14 @@ TEST(TreeAny, EndsAtANodeThatIsInside) {
   const std::vector<Box> boxes(300000, Box{{0, 0, 0}, {1, 1, 1}});
   const BoxTree tree{std::span<const Box>(boxes)};
   kernel::Finder finder;
-  EXPECT_LE(words_tested_by(finder, tree, compile(Shaft({{-1, -1, -1}, {2, 2, 2}}, {{-1, -1, -1}, {2, 2, 2}}))), 2U);
+  EXPECT_LE(words_tested_by(finder, tree, compile({{-1, -1, -1}, {2, 2, 2}}, {{-1, -1, -1}, {2, 2, 2}})), 2U);
   EXPECT_TRUE(finder.is_done());
 }
 
 TEST(TreeAny, LooksOnWhereWhatItFindsIsLeftOut) {
   const std::vector<Box> boxes(5000, Box{{0, 0, 0}, {1, 1, 1}});
   const BoxTree tree{std::span<const Box>(boxes)};
-  const CompiledShaft shaft = compile(Shaft({{-1, -1, -1}, {2, 2, 2}}, {{-1, -1, -1}, {2, 2, 2}}));
+  const CompiledShaft shaft = compile({{-1, -1, -1}, {2, 2, 2}}, {{-1, -1, -1}, {2, 2, 2}});
   std::vector<std::uint64_t> mask(bit_words(boxes.size()), ~std::uint64_t{0});
   EXPECT_TRUE(any(shaft, tree));
   EXPECT_FALSE(any(shaft, tree, {.exclude_mask = mask}));
@@ -83,7 +83,7 @@ TEST(TreeLimit, EndsSoonAfterItHasFoundEnough) {
   Random random(92);
   const std::vector<Box> boxes = scene<Box>(random, Shape::uniform, 300000);
   const BoxTree tree{std::span<const Box>(boxes)};
-  const CompiledShaft shaft = compile(Shaft({{-6, -6, 0}, {6, 6, 0.01F}}, {{-6, -6, 0}, {6, 6, 0.01F}}));
+  const CompiledShaft shaft = compile({{-6, -6, 0}, {6, 6, 0.01F}}, {{-6, -6, 0}, {6, 6, 0.01F}});
   kernel::Counter counter(kernel::active_kernels());
   const std::size_t all = words_tested_by(counter, tree, shaft);
   for (const std::size_t most : {std::size_t{1}, std::size_t{10}, counter.count() / 10}) {
@@ -128,7 +128,7 @@ TEST(TreeLimit, CountsAndListsTheFirstOfWhatThereIs) {
 }
 
 TEST(TreeAny, FindsNothingInAnEmptyTree) {
-  const CompiledShaft shaft = compile(Shaft({{-1, -1, -1}, {2, 2, 2}}, {{-1, -1, -1}, {2, 2, 2}}));
+  const CompiledShaft shaft = compile({{-1, -1, -1}, {2, 2, 2}}, {{-1, -1, -1}, {2, 2, 2}});
   EXPECT_FALSE(any(shaft, BoxTree()));
   EXPECT_FALSE(any(shaft, SphereTree()));
 }

@@ -23,7 +23,7 @@ namespace {
 using testing::HasSubstr;
 
 const CompiledShaft& shaft() {
-  static const CompiledShaft compiled = compile(Shaft({{0, 0, 0}, {1, 1, 1}}, {{3, 3, 3}, {4, 4, 4}}));
+  static const CompiledShaft compiled = compile({{0, 0, 0}, {1, 1, 1}}, {{3, 3, 3}, {4, 4, 4}});
   return compiled;
 }
 
@@ -122,21 +122,6 @@ TEST(TreeErrors, QueriesOfAnUpdatedTreeAskForARefit) {
   }
 }
 
-TEST(TreeErrors, ShaftsMustAnswerWhatIsAsked) {
-  const BoxTree tree{std::span<const Box>(boxes(100))};
-  const CompiledShaft no_inside = compile(Shaft({{0, 0, 0}, {1, 1, 1}}, {{3, 3, 3}, {4, 4, 4}}, {.inside = false}));
-  const CompiledShaft no_spheres = compile(Shaft({{0, 0, 0}, {1, 1, 1}}, {{3, 3, 3}, {4, 4, 4}}, {.spheres = false}));
-  EXPECT_NO_THROW(static_cast<void>(shaftcull::count(no_inside, tree)));
-  const std::vector<CompiledShaft> shafts = {shaft(), no_inside};
-  IndexLists overlap;
-  IndexLists inside;
-  EXPECT_THAT(message_of([&] { list_classified_many(shafts, tree, overlap, inside); }),
-              HasSubstr("shaft 1 was formed without inside"));
-  const SphereTree spheres;
-  EXPECT_THAT(message_of([&] { static_cast<void>(shaftcull::count(no_spheres, spheres)); }),
-              HasSubstr("without spheres"));
-}
-
 TEST(TreeErrors, ExclusionsAndCountsMustFit) {
   const BoxTree tree{std::span<const Box>(boxes(100))};
   const std::vector<CompiledShaft> shafts(2, shaft());
@@ -177,8 +162,7 @@ TEST(TreeErrors, BitsMustFit) {
               HasSubstr("cull: kept and query.exclude_mask share memory"));
   EXPECT_THAT(message_of([&] { any_many(shafts, tree, all.first(1), {.exclude_mask = all.first(2)}); }),
               HasSubstr("any_many: any and query.exclude_mask share memory"));
-  const CompiledShaft no_outside = compile(Shaft({{0, 0, 0}, {1, 1, 1}}, {{3, 3, 3}, {4, 4, 4}}, {.outside = false}));
-  EXPECT_THAT(message_of([&] { cull(no_outside, tree, all.first(2)); }), HasSubstr("formed without outside"));
+  EXPECT_THAT(message_of([&] { cull(CompiledShaft(), tree, all.first(2)); }), HasSubstr("shaft 0 was never formed"));
   EXPECT_EQ(words, untouched);
 }
 

@@ -112,7 +112,7 @@ TYPED_TEST(TreeFrames, RefittingFewNodesLeavesTheTreeThatRefittingAllDoes) {
 TEST(TreeFramesOfBoxes, ABoxThatBecomesEmptyIsNotInsideANodeThatIs) {
   Random random(78);
   BoxTree tree{std::span<const Box>(scene<Box>(random, Shape::uniform, 600000))};
-  const CompiledShaft everything = compile(Shaft({{-9, -9, -9}, {9, 9, 9}}, {{-9, -9, -9}, {9, 9, 9}}));
+  const CompiledShaft everything = compile({{-9, -9, -9}, {9, 9, 9}}, {{-9, -9, -9}, {9, 9, 9}});
   const std::vector<std::uint32_t> index = {123456};
   for (const bool is_empty : {false, true, false}) {
     tree.update(index, std::vector<Box>{is_empty ? empty_box : Box{{0, 0, 0}, {1, 1, 1}}});

@@ -154,7 +154,7 @@ TYPED_TEST(TreeImages, AnswerQuestionsAboutLayersAndCandidates) {
   write_image(tree, pages.bytes());
   ASSERT_TRUE(pages.forbid_writing());
   const TreeInImage<TypeParam> image(pages.bytes());
-  const CompiledShaft everything = compile(Shaft({{-99, -99, -99}, {99, 99, 99}}, {{-99, -99, -99}, {99, 99, 99}}));
+  const CompiledShaft everything = compile({{-99, -99, -99}, {99, 99, 99}}, {{-99, -99, -99}, {99, 99, 99}});
   EXPECT_EQ(count(everything, image.tree()), 20000U);
   EXPECT_EQ(count(everything, image.tree(), {.layer_mask = {7}}), 19999U);
   const Query of_two_layers{.layer_mask = {5}};

@@ -93,7 +93,7 @@ class TreeLayers : public testing::Test {
  protected:
   static void expect_answers_with(const Tree& tree, const std::vector<BoundOf<Tree>>& bounds, const Layers& layers,
                                   std::vector<CompiledShaft> shafts) {
-    shafts.push_back(compile(Shaft({{-99, -99, 0}, {99, 99, 0}}, {{-99, -99, 99}, {99, 99, 99}})));  // many of them
+    shafts.push_back(compile({{-99, -99, 0}, {99, 99, 0}}, {{-99, -99, 99}, {99, 99, 99}}));  // many of them
     for (const CompiledShaft& shaft : shafts) {
       for (const std::uint32_t mask : {0U, ~0U, 1U, 0x80000000U, 0x00ff00ffU}) {
         SCOPED_TRACE("layers " + std::to_string(mask) + " of " + std::to_string(tree.size()) + " bounds");
@@ -364,7 +364,7 @@ TEST(TreeLayerWalk, PassesOverNodesOfOtherLayers) {
   Layers layers;  // a tenth of the space is layer 0
   for (const Box& box : boxes) layers.push_back(box.lo[0] < -4 ? 1 : 2);
   tree.set_layers(layers);
-  const CompiledShaft shaft = compile(Shaft({{-6, -6, 0}, {6, 6, 0.01F}}, {{-6, -6, 0}, {6, 6, 0.01F}}));
+  const CompiledShaft shaft = compile({{-6, -6, 0}, {6, 6, 0.01F}}, {{-6, -6, 0}, {6, 6, 0.01F}});
   const kernel::TreeParts<Box>& parts = *TreeAccess::parts(tree);
   kernel::Kernels kernels = kernel::active_kernels();
   real_test = kernels.listed_boxes;

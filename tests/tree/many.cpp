@@ -71,7 +71,7 @@ TYPED_TEST(TreeMany, BitsAreThoseOfSingleShaftsOnAnyNumberOfThreads) {
   const std::size_t row = bit_words(this->bounds_.size());
   // More than a word of shafts for any_many(), the last of which keep nothing.
   std::vector<CompiledShaft> shafts = this->shafts_;
-  while (shafts.size() != 130) shafts.push_back(compile(Shaft({{90, 0, 0}, {91, 1, 1}}, {{99, 0, 0}, {99, 1, 1}})));
+  while (shafts.size() != 130) shafts.push_back(compile({{90, 0, 0}, {91, 1, 1}}, {{99, 0, 0}, {99, 1, 1}}));
   std::vector<std::uint64_t> expected_any(3);
   for (std::size_t s = 0; s != shafts.size(); ++s) {
     expected_any[s / 64] |= std::uint64_t{count(shafts[s], this->tree_) != 0} << s % 64;

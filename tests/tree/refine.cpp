@@ -53,7 +53,7 @@ TYPED_TEST(Refine, ChildrenKeepOfTheirParentsCandidatesWhatTheyKeepOfAll) {
       group_a = around(group_a, a[static_cast<std::size_t>(i)]);
       group_b = around(group_b, b[static_cast<std::size_t>(i)]);
     }
-    const Indices candidates = FlatAnswers(compile(Shaft(group_a, group_b)), bounds).kept();
+    const Indices candidates = FlatAnswers(compile(group_a, group_b), bounds).kept();
     std::vector<CompiledShaft> children(a.size());
     compile_batch(BoxStream(std::span<const Box>(a)).view(), BoxStream(std::span<const Box>(b)).view(), children);
     IndexLists lists;
@@ -77,7 +77,7 @@ TYPED_TEST(Refine, ChildrenKeepOfTheirParentsCandidatesWhatTheyKeepOfAll) {
 TYPED_TEST(Refine, CandidatesKeepTheirOrderAndMayRepeat) {
   Random random(92);
   const auto bounds = scene<TypeParam>(random, Shape::uniform, 100);
-  const CompiledShaft everything = compile(Shaft({{-9, -9, -9}, {9, 9, 9}}, {{-9, -9, -9}, {9, 9, 9}}));
+  const CompiledShaft everything = compile({{-9, -9, -9}, {9, 9, 9}}, {{-9, -9, -9}, {9, 9, 9}});
   const Indices candidates = {70, 3, 3, 99, 0};
   Indices kept(5);
   const auto memory = columns(bounds);
@@ -129,7 +129,7 @@ TYPED_TEST(Refine, WhatDoesNotFitIsCountedAndNotWritten) {
   Random random(94);
   const auto bounds = scene<TypeParam>(random, Shape::uniform, 100);
   const BoundsTree<TypeParam> tree{std::span<const TypeParam>(bounds)};
-  const CompiledShaft everything = compile(Shaft({{-9, -9, -9}, {9, 9, 9}}, {{-9, -9, -9}, {9, 9, 9}}));
+  const CompiledShaft everything = compile({{-9, -9, -9}, {9, 9, 9}}, {{-9, -9, -9}, {9, 9, 9}});
   const Indices candidates = {70, 3, 99, 0};
   const auto memory = columns(bounds);
   for (std::size_t room = 0; room != 4; ++room) {
@@ -145,7 +145,7 @@ TYPED_TEST(Refine, WhatDoesNotFitIsCountedAndNotWritten) {
 
 TYPED_TEST(Refine, NoCandidatesGiveNothing) {
   const auto bounds = std::vector<TypeParam>();
-  const CompiledShaft shaft = compile(Shaft({{0, 0, 0}, {1, 1, 1}}, {{3, 3, 3}, {4, 4, 4}}));
+  const CompiledShaft shaft = compile({{0, 0, 0}, {1, 1, 1}}, {{3, 3, 3}, {4, 4, 4}});
   const auto memory = columns(bounds);
   Indices none;
   EXPECT_EQ(list(shaft, memory.view(), none, {.only = none}), 0U);
@@ -156,7 +156,7 @@ TYPED_TEST(Refine, NoCandidatesGiveNothing) {
   // Given and empty is not the same as not given.
   const std::vector<TypeParam> some(9, TypeParam{});
   const auto of_some = columns(some);
-  const CompiledShaft everything = compile(Shaft({{-9, -9, -9}, {9, 9, 9}}, {{-9, -9, -9}, {9, 9, 9}}));
+  const CompiledShaft everything = compile({{-9, -9, -9}, {9, 9, 9}}, {{-9, -9, -9}, {9, 9, 9}});
   EXPECT_EQ(count(everything, of_some.view(), {.only = none}), 0U);
   EXPECT_EQ(count(everything, of_some.view(), {.only = std::nullopt}), 9U);
 }

@@ -11,7 +11,6 @@
 
 #include "oracle/random.hpp"
 #include "shaftcull/compiled.hpp"
-#include "shaftcull/paper.hpp"
 #include "shaftcull/streams.hpp"
 #include "shaftcull/volumes.hpp"
 
@@ -160,15 +159,10 @@ inline std::vector<CompiledShaft> shafts_for(Random& random, std::size_t count) 
         a = random.box(-5, 5, 0, 0.01F), b = random.box(-5, 5, 0, 0.01F);
         break;
     }
-    Shaft shaft(a, b);
-    const bool has_plane = random.one_in(4);
-    if (has_plane) shaft.add_plane({random.vec3(-1, 1), random.uniform(-1, 1)});
-    shafts.push_back(compile(shaft));
-    if (random.one_in(3) && !has_plane) {
-      const BoxStream as(std::vector<Box>{a});
-      const BoxStream bs(std::vector<Box>{b});
-      compile_batch(as.view(), bs.view(), {&shafts.back(), 1});  // planes pending
-    }
+    std::vector<Plane> planes;
+    if (random.one_in(4)) planes.push_back({random.vec3(-1, 1), random.uniform(-1, 1)});
+    shafts.push_back(compile(a, b, planes));
+    if (!random.one_in(3)) complete(shafts.back());
   }
   for (std::size_t s = 1; s < count; s += 3) set_contact(shafts[s], Contact::open);
   return shafts;

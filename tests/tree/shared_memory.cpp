@@ -55,7 +55,7 @@ class TreeSharedMemory : public testing::Test {
     return Tree{std::span<const BoundOf<Tree>>(scene<BoundOf<Tree>>(random, Shape::uniform, count))};
   }
 
-  const CompiledShaft shaft_ = compile(Shaft({{-4, -4, -4}, {0, 0, 0}}, {{1, 1, 1}, {4, 4, 4}}));
+  const CompiledShaft shaft_ = compile({{-4, -4, -4}, {0, 0, 0}}, {{1, 1, 1}, {4, 4, 4}});
 };
 TYPED_TEST_SUITE(TreeSharedMemory, TreeKinds);
 

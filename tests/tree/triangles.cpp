@@ -62,9 +62,10 @@ std::vector<CompiledShaft> shafts_for(Random& random) {
   std::vector<CompiledShaft> shafts;
   for (int s = 0; s != 10; ++s) {
     shafts.push_back(compile(random.box(-8, 8, 0, 0.6F), random.box(-8, 8, 0, 0.6F)));
-    Shaft shaft(random.grid_box(-9, 9), random.grid_box(-9, 9));
-    if (random.one_in(2)) shaft.add_plane({{1, 2, 3}, 4});
-    shafts.push_back(compile(shaft));
+    const Plane plane{{1, 2, 3}, 4};
+    const Box a = random.grid_box(-9, 9);
+    const Box b = random.grid_box(-9, 9);
+    shafts.push_back(compile(a, b, std::span(&plane, random.one_in(2) ? 1 : 0)));
   }
   for (int s = 0; s != 10; ++s) {  // flat ones that triangles lie in, or touch
     Box a = random.grid_box(-9, 9);
@@ -75,7 +76,7 @@ std::vector<CompiledShaft> shafts_for(Random& random) {
   }
   shafts.push_back(swept_infinite(random.grid_box(-2, 2), {1, 0.25F, 0}));
   set_contact(shafts.back(), Contact::open);
-  shafts.push_back(compile(Shaft({{-99, -99, -99}, {99, 99, 99}}, {{-90, -99, -99}, {99, 99, 99}})));  // all is inside
+  shafts.push_back(compile({{-99, -99, -99}, {99, 99, 99}}, {{-90, -99, -99}, {99, 99, 99}}));  // all is inside
   return shafts;
 }
 
@@ -99,7 +100,7 @@ TEST(TriangleTree, AnswersWhatAScanAnswers) {
       for (std::size_t s = 0; s != 6; ++s) shafts[s] = shafts[shafts.size() - 1 - 5 * s];
       shafts.resize(6);
     }
-    shafts.push_back(compile(Shaft({{-99, -99, -99}, {99, 99, 99}}, {{-99, -99, -99}, {99, 99, 99}})));
+    shafts.push_back(compile({{-99, -99, -99}, {99, 99, 99}}, {{-99, -99, -99}, {99, 99, 99}}));
     for (const Isa isa : isas_under_test()) {
       const UseIsa use(isa);
       for (const TriangleTest test : tests) {

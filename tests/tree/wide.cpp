@@ -133,7 +133,7 @@ TEST(WideTree, AWalkReachesAllBounds) {
   reach_far(tree, inside_node, 3);
   const std::vector<Leaves> inside = {{std::size_t{3} << 30U, 4096}};
 
-  const CompiledShaft shaft = compile(Shaft({{4, 4, 4}, {6, 6, 6}}, {{7, 7, 7}, {8, 9, 10}}));
+  const CompiledShaft shaft = compile({{4, 4, 4}, {6, 6, 6}}, {{7, 7, 7}, {8, 9, 10}});
   for (const Isa isa : available_isas()) {
     select_isa(isa);
     Collector found;

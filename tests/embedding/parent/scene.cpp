@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <shaftcull/shaftcull.hpp>
 
-std::size_t boxes_kept(const shaftcull::Shaft& shaft, const shaftcull::BoxTree& tree) {
-  return count(compile(shaft), tree);
+std::size_t boxes_kept(const shaftcull::CompiledShaft& shaft, const shaftcull::BoxTree& tree) {
+  return count(shaft, tree);
 }
