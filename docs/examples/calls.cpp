@@ -59,13 +59,11 @@ void make_volumes() {
   const Vec3 travel{9, 0, 0};
   const Vec3 direction{1, 0, 0};
   const Vec3 sun{0, 1, 0};
-  const Plane plane{{1, 0, 0}, 3};
+  const std::vector<Plane> planes = {{{1, 0, 0}, 3}};
   const std::vector<Vec3>& points = vertices;
-  Shaft shaft(a, b);
-  shaft.add_plane(plane);
   const ConvexHull view = frustum(matrix, depth);
   expect(keeps(compile(a, b), boxes[1]), "between");
-  expect(!keeps(compile(shaft), boxes[1]), "cut by a plane");
+  expect(!keeps(compile(a, b, planes), boxes[1]), "cut by a plane");
   expect(compile(a, b, Contact::open).contact() == Contact::open, "open contact");
   expect(keeps(swept(body, travel), boxes[1]), "swept");
   expect(keeps(swept_infinite(body, direction), boxes[1]), "swept without end");

@@ -33,11 +33,9 @@ int main() {
   for (const std::uint32_t i : casting) std::printf("box %u only casts a shadow into it\n", i);
 
   // The six planes of the same view keep box 4: it is beyond none of them.
-  sc::Shaft six_planes(tree.box(), tree.box());
-  for (const sc::Plane& plane : sc::view_planes(matrix, sc::ClipDepth::minus_one_to_one)) {
-    six_planes.add_plane(plane);
-  }
+  const sc::CompiledShaft six_planes = sc::compile(
+      tree.box(), tree.box(), sc::view_planes(matrix, sc::ClipDepth::minus_one_to_one));
   std::printf("box 4: six planes %s it, the hull %s it\n",
-              keeps(sc::compile(six_planes), scene[4]) ? "keep" : "cull",
+              keeps(six_planes, scene[4]) ? "keep" : "cull",
               keeps(view, scene[4]) ? "keeps" : "culls");
 }
