@@ -44,6 +44,7 @@
 #include <vector>
 
 #include "shaftcull/bounds.hpp"
+#include "shaftcull/compiled.hpp"
 #include "shaftcull/export.hpp"
 #include "shaftcull/function_ref.hpp"
 #include "shaftcull/streams.hpp"

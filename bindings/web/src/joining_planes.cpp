@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "shaftcull/shaft.hpp"
+#include "shaftcull/paper.hpp"
 
 namespace {
 
