@@ -368,7 +368,7 @@ describe('options', () => {
   test('that mean nothing are refused, by their name', () => {
     const shafts = shaftcull.between([...lamp, ...lamp], [...table, ...table]);
     for (const holder of [shaftcull.boxStream(scene), shaftcull.boxTree(scene)]) {
-      for (const question of ['cull', 'classify', 'any', 'listClassified', 'first', 'findOccluder']) {
+      for (const question of ['cull', 'classify', 'any', 'listClassified', 'firstContact', 'findOccluder']) {
         assert.throws(() => holder[question](shafts, {limit: 1}), /limit/, question);
       }
       for (const question of ['findOccluder', 'listOccluders']) {
