@@ -32,3 +32,17 @@ export function made(module, name, ...values) {
     return module.word(out);
   });
 }
+
+/** The result of use(make); make(release, create, ...values) makes an object that is released afterwards. */
+export function withHandles(module, use) {
+  const held = [];
+  try {
+    return use((release, create, ...values) => {
+      const handle = made(module, create, ...values);
+      held.push([release, handle]);
+      return handle;
+    });
+  } finally {
+    for (const [release, handle] of held.reverse()) module.call(release, handle);
+  }
+}

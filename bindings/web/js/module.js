@@ -3,6 +3,8 @@
 import {ShaftcullError} from './error.js';
 import {wasi} from './wasi.js';
 
+const maxBytes = 0xffff_ffff;  // malloc would take the rest of a division by one more
+
 /** A position, or undefined where the C interface says SHAFTCULL_NONE. */
 const positionIn = (number) => (BigInt.asIntN(64, number) === -1n ? undefined : Number(number));
 
@@ -54,7 +56,7 @@ export class Module {
   }
 
   allocate(bytes) {
-    const pointer = this.#exports.malloc(Math.max(bytes, 8));
+    const pointer = bytes > maxBytes ? 0 : this.#exports.malloc(Math.max(bytes, 8));
     if (pointer === 0) throw new ShaftcullError('out of memory', `no memory is left for ${bytes} bytes more`);
     return pointer >>> 0;
   }
@@ -86,7 +88,8 @@ export class Module {
 
   /** 64-bit numbers below 2⁵³. */
   numbers(pointer, count) {
-    return Float64Array.from(new BigUint64Array(this.view.buffer, pointer, count), Number);
+    const words = new Uint32Array(this.view.buffer, pointer, 2 * count);
+    return new Float64Array(count).map((_, i) => words[2 * i] + 0x1_0000_0000 * words[2 * i + 1]);
   }
 
   /** One of these that is a position, or undefined for none. */

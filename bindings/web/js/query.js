@@ -8,7 +8,9 @@ const triangleTestAt = 88;
 
 /** Where the pointer to the numbers of an option is; 8 bytes behind it is how many these are. */
 const arraysAt = {exclude: 0, excludeEach: 16, excludeMask: 32, layerMask: 48, only: 64};
+
 const triangleTests = ['exact', 'vertices'];
+export const asTriangleTest = (value) => asEnumerator(value, triangleTests, 'triangleTest');
 
 const ofAll = ['exclude', 'excludeMask', 'layerMask', 'limit', 'only', 'triangleTest'];
 
@@ -52,7 +54,7 @@ function arrayOf(name, value, shafts, bounds) {
 export function queryOf(module, scratch, options, shafts, bounds, usualTest) {
   const arrays = Object.entries(arraysAt).filter(([name]) => options[name] !== undefined);
   const limit = options.limit === undefined ? 0 : asLimit(options.limit, 'limit');
-  const test = asEnumerator(options.triangleTest ?? usualTest, triangleTests, 'triangleTest');
+  const test = asTriangleTest(options.triangleTest ?? usualTest);
   if (arrays.length === 0 && limit === 0 && test === 0) return 0;
   const query = scratch.zeros(queryBytes);
   for (const [name, at] of arrays) {

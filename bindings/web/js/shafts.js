@@ -2,15 +2,41 @@
 // Arrays of shafts, and convex hulls.
 import {asEnumerator, asFloats, asFloatsOf, asIndices, asPosition, checkOptions} from './arguments.js';
 import {Held, made} from './held.js';
-import {sourceOf} from './sources.js';
+import {asTriangleTest} from './query.js';
+import {kindOf, sourceOf} from './sources.js';
 
 export const contacts = ['closed', 'open'];
+const answers = ['outside', 'overlap', 'inside'];
 const depths = ['zero_to_one', 'minus_one_to_one'];
 const shaftInfoBytes = 68;  // src/layout.cpp
 const hullInfoBytes = 48;
 const maxPlanes = 8;
 
-export class Shafts extends Held {
+/** A shaft of an array, or a hull, which can be asked about single bounds. */
+class Volume extends Held {
+  classify(bound, options = {}) {
+    checkOptions(options, ['at', 'triangleTest']);
+    const floats = asFloats(bound, 1, 'bound');
+    const {name, constant} = kindOf(floats);
+    const test = asTriangleTest(options.triangleTest ?? usualTest(this, name));
+    const values = (scratch) => [constant, scratch.copy(floats), test];
+    return answers[askOne(this, options.at, 'shaftcull_classify_one', values)];
+  }
+
+  keeps(bound, options) {
+    return this.classify(bound, options) !== 'outside';
+  }
+}
+
+/** The word that a query about one shaft of a volume writes; values(scratch) are its arguments. */
+function askOne(volume, at, query, values) {
+  const {module} = volume;
+  const result = module.resultsOf(4);
+  module.scratch((scratch) => module.call(query, ...oneShaft(module, volume, at), ...values(scratch), result));
+  return module.word(result);
+}
+
+export class Shafts extends Volume {
   #between;
 
   /** `between` says that they are between two boxes, so that they have joining planes. */
@@ -31,10 +57,23 @@ export class Shafts extends Held {
       return module.floats(planes, 4 * module.call('joining_planes', info, info + 24, planes));
     });
   }
+
+  occludedByBox(solid, options = {}) {
+    checkOptions(options, ['at']);
+    const box = asFloatsOf(solid, 6, 'solid');
+    return askOne(this, options.at, 'shaftcull_occluded_by_box', (scratch) => [scratch.copy(box)]) === 1;
+  }
+
+  occludedByPolygon(corners, options = {}) {
+    checkOptions(options, ['at']);
+    const floats = asFloats(corners, 3, 'corners');
+    const count = BigInt(floats.length / 3);
+    return askOne(this, options.at, 'shaftcull_occluded_by_polygon', (scratch) => [scratch.copy(floats), count]) === 1;
+  }
 }
 
 /** A hull, with the array of one shaft that bounds are asked about. */
-export class Hull extends Held {
+export class Hull extends Volume {
   #asked;
   #points;
   #directions;
@@ -83,6 +122,9 @@ export function allShafts(module, shafts) {
   return [ofModule(module, shafts, 'the shafts').handle, 0n, BigInt(shafts.length)];
 }
 
+/** How a volume tests bounds of a kind if the options do not say it: a hull knows no other test of triangles. */
+export const usualTest = (volume, kind) => (kind === 'triangles' && volume instanceof Hull ? 'vertices' : 'exact');
+
 /** Refuses an object of another module, whose handle means something else here. */
 function ofModule(module, held, name) {
   if (held.module !== module) {
@@ -115,86 +157,80 @@ function planesFor(planes, count) {
   return [floats, BigInt(floats.length / 4)];
 }
 
-function setContact(shafts, contact) {
-  const {module} = shafts;
-  if (contact !== 0) module.call('shaftcull_shafts_set_contact', ...allShafts(module, shafts), contact);
+const asContact = ({contact}) => asEnumerator(contact ?? 'closed', contacts, 'contact');
+
+/** `count` shafts that form(range, scratch) forms. If `contact` is open, it is set afterwards. */
+function formed(module, count, isBetween, contact, form) {
+  const shafts = new Shafts(module, count, isBetween);
+  try {
+    const range = allShafts(module, shafts);
+    module.scratch((scratch) => form(range, scratch));
+    if (contact !== 0) module.call('shaftcull_shafts_set_contact', ...range, contact);
+    return shafts;
+  } catch (error) {
+    shafts.free();
+    throw error;
+  }
 }
 
-/** Shafts for pairs of boxes, which set(shafts, scratch, range, source of a, source of b, pairs, planes) makes. */
-function ofPairs(module, a, b, names, options, between, set) {
+/** Boxes and pairs of them as arguments of the C interface: how many shafts they make, and write(scratch). */
+function pairsOf(module, a, b, names, options) {
   let [boxesA, boxesB] = [asFloats(a, 6, names[0]), asFloats(b, 6, names[1])];
   const pairs = options.pairs === undefined ? undefined : asIndices(options.pairs, 'pairs');
   if (pairs === undefined) [boxesA, boxesB] = aligned(boxesA, 6, names[0], boxesB, 6, names[1]);
   if (pairs !== undefined && pairs.length % 2 !== 0) {
     throw new TypeError(`pairs has ${pairs.length} numbers, which is no multiple of 2`);
   }
-  const count = pairs === undefined ? boxesA.length / 6 : pairs.length / 2;
-  const shafts = new Shafts(module, count, between);
-  try {
-    module.scratch((scratch) => {
-      const sourceA = sourceOf(module, scratch, 'boxes', boxesA, names[0]);
-      const sourceB = sourceOf(module, scratch, 'boxes', boxesB, names[1]);
-      const [floats, planeCount] = planesFor(options.planes, sourceA.count);
-      const planes = scratch.zeros(32);
-      const pointer = scratch.copy(floats);  // which may move all memory
-      module.view.setUint32(planes, pointer, true);
-      module.view.setBigUint64(planes + 8, planeCount, true);
-      const named = pairs === undefined ? 0 : scratch.copy(pairs);
-      set(shafts, scratch, allShafts(module, shafts), sourceA.pointer, sourceB.pointer, named, planes);
-    });
-  } catch (error) {
-    shafts.free();
-    throw error;
-  }
-  return shafts;
+  const write = (scratch) => {
+    const sourceA = sourceOf(module, scratch, 'boxes', boxesA, names[0]);
+    const sourceB = sourceOf(module, scratch, 'boxes', boxesB, names[1]);
+    const [floats, planeCount] = planesFor(options.planes, sourceA.count);
+    const planes = scratch.zeros(32);
+    const pointer = scratch.copy(floats);  // which may move all memory
+    module.view.setUint32(planes, pointer, true);
+    module.view.setBigUint64(planes + 8, planeCount, true);
+    const named = pairs === undefined ? 0 : scratch.copy(pairs);
+    return {sources: [sourceA.pointer, sourceB.pointer, named], planes};
+  };
+  return {count: pairs === undefined ? boxesA.length / 6 : pairs.length / 2, write};
 }
 
 export function between(module, a, b, options = {}) {
   checkOptions(options, ['pairs', 'contact', 'planes']);
-  const contact = asEnumerator(options.contact ?? 'closed', contacts, 'contact');
-  return ofPairs(module, a, b, ['a', 'b'], options, true, (shafts, scratch, range, ...what) => {
-    module.call('shaftcull_shafts_set_between', ...range, ...what, contact);
+  const contact = asContact(options);
+  const {count, write} = pairsOf(module, a, b, ['a', 'b'], options);
+  return formed(module, count, true, 0, (range, scratch) => {
+    const {sources, planes} = write(scratch);
+    module.call('shaftcull_shafts_set_between', ...range, ...sources, planes, contact);
   });
 }
 
 export function shadow(module, lights, occluders, options = {}) {
   checkOptions(options, ['pairs', 'reach', 'contact', 'planes']);
-  const contact = asEnumerator(options.contact ?? 'closed', contacts, 'contact');
-  const names = ['lights', 'occluders'];
-  return ofPairs(module, lights, occluders, names, options, false, (shafts, scratch, range, ...what) => {
-    const planes = what.pop();
+  const {count, write} = pairsOf(module, lights, occluders, ['lights', 'occluders'], options);
+  return formed(module, count, false, asContact(options), (range, scratch) => {
+    const {sources, planes} = write(scratch);
     const reach = options.reach === undefined ? 0 : scratch.copy(asFloatsOf([options.reach], 1, 'reach'));
-    module.call('shaftcull_shafts_set_shadow', ...range, ...what, reach, planes);
-    setContact(shafts, contact);
+    module.call('shaftcull_shafts_set_shadow', ...range, ...sources, reach, planes);
   });
 }
 
-function moving(module, make, bodies, vectors, name, options) {
+function moving(module, make, bodies, vectors, name, options = {}) {
   checkOptions(options, ['contact', 'planes']);
-  const contact = asEnumerator(options.contact ?? 'closed', contacts, 'contact');
   const [boxes, travels, count] =
       aligned(asFloats(bodies, 6, 'bodies'), 6, 'bodies', asFloats(vectors, 3, name), 3, name);
-  const shafts = new Shafts(module, count, false);
-  try {
-    module.scratch((scratch) => {
-      const source = sourceOf(module, scratch, 'boxes', boxes, 'bodies');
-      const [planes, planeCount] = planesFor(options.planes, count);
-      const range = allShafts(module, shafts);
-      module.call(make, ...range, source.pointer, scratch.copy(travels), scratch.copy(planes), planeCount);
-      setContact(shafts, contact);
-    });
-  } catch (error) {
-    shafts.free();
-    throw error;
-  }
-  return shafts;
+  return formed(module, count, false, asContact(options), (range, scratch) => {
+    const source = sourceOf(module, scratch, 'boxes', boxes, 'bodies');
+    const [planes, planeCount] = planesFor(options.planes, count);
+    module.call(make, ...range, source.pointer, scratch.copy(travels), scratch.copy(planes), planeCount);
+  });
 }
 
-export function swept(module, bodies, displacements, options = {}) {
+export function swept(module, bodies, displacements, options) {
   return moving(module, 'shaftcull_shafts_set_swept', bodies, displacements, 'displacements', options);
 }
 
-export function sweptInfinite(module, bodies, directions, options = {}) {
+export function sweptInfinite(module, bodies, directions, options) {
   return moving(module, 'shaftcull_shafts_set_swept_infinite', bodies, directions, 'directions', options);
 }
 

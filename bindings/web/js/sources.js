@@ -4,11 +4,11 @@ import {asFloats, asIndices} from './arguments.js';
 
 const sourceBytes = 56;  // src/layout.cpp
 
-/** Each kind of bounds: floats each, the constant of the C interface, and where the second part of a record begins. */
+/** Each kind of bounds: floats each, its constants as bounds and as a source, and the byte of its second part. */
 const kinds = {
-  boxes: {floats: 6, kind: 1, second: 12},
-  spheres: {floats: 4, kind: 3, second: 12},
-  triangles: {floats: 9, kind: 4},
+  boxes: {floats: 6, bound: 1, kind: 1, second: 12},
+  spheres: {floats: 4, bound: 2, kind: 3, second: 12},
+  triangles: {floats: 9, bound: 3, kind: 4},
 };
 const mesh = 5;
 
@@ -34,6 +34,13 @@ export function sourceOf(module, scratch, name, values, argument) {
   return written(module, scratch, {
     kind, count: array.length / floats, first, second: second && first + second, stride: 4 * floats,
   });
+}
+
+/** The kind of one bound, by its number of floats: the name, and the constant of the C interface. */
+export function kindOf(floats) {
+  const found = Object.entries(kinds).find(([, kind]) => kind.floats === floats.length);
+  if (!found) throw new TypeError(`bound has ${floats.length} floats; a box has 6, a sphere 4 and a triangle 9`);
+  return {name: found[0], constant: found[1].bound};
 }
 
 /** A source of triangles that indices name. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Visibility: which pairs of patches see each other.
 import {asEnumerator, asFloats, checkOptions} from './arguments.js';
-import {made} from './held.js';
+import {withHandles} from './held.js';
 import {contacts} from './shafts.js';
 import {sourceOf} from './sources.js';
 
@@ -14,39 +14,19 @@ const patchesInfoBytes = 16;
 const occluderInfoBytes = 40;
 const productWords = 5;
 
-/** Objects that are released together. */
-class Owned {
-  #module;
-  #held = [];
-
-  constructor(module) {
-    this.#module = module;
-  }
-
-  make(release, create, ...values) {
-    const handle = made(this.#module, create, ...values);
-    this.#held.push([release, handle]);
-    return handle;
-  }
-
-  release() {
-    for (const [release, handle] of this.#held.reverse()) this.#module.call(release, handle);
-  }
-}
-
-function patchesOf(module, scratch, owned, boxes, planes, name) {
+function patchesOf(module, scratch, make, boxes, planes, name) {
   const source = sourceOf(module, scratch, 'boxes', boxes, name);
   const floats = asFloats(planes ?? [], 4, 'planes');
   if (planes && floats.length !== 4 * source.count) {
     const count = floats.length / 4;
     throw new TypeError(`there are ${count} planes for ${source.count} ${name}; each has one, or there are none`);
   }
-  return owned.make('shaftcull_patches_free', 'shaftcull_patches_create', source.pointer, scratch.copy(floats),
+  return make('shaftcull_patches_free', 'shaftcull_patches_create', source.pointer, scratch.copy(floats),
                     BigInt(floats.length / 4));
 }
 
-function occludersOf(module, scratch, owned, scene) {
-  const occluders = owned.make('shaftcull_occluders_free', 'shaftcull_occluders_create');
+function occludersOf(module, scratch, make, scene) {
+  const occluders = make('shaftcull_occluders_free', 'shaftcull_occluders_create');
   const source = (kind, name) => sourceOf(module, scratch, kind, scene[name], name).pointer;
   if (scene.boxes) module.call('shaftcull_occluders_add_boxes', occluders, source('boxes', 'boxes'), 0);
   if (scene.solids) module.call('shaftcull_occluders_add_solids', occluders, source('boxes', 'solids'), 0);
@@ -77,26 +57,20 @@ export function visibility(module, scene) {
   checkOptions(scene, names);
   if (scene.planesB && !scene.patchesB) throw new TypeError('there are planesB, but no patchesB');
   const contact = asEnumerator(scene.contact ?? 'open', contacts, 'contact');
-  const owned = new Owned(module);
-  try {
-    return module.scratch((scratch) => {
-      const a = patchesOf(module, scratch, owned, scene.patches, scene.planes, 'patches');
-      const two = Boolean(scene.patchesB);
-      const b = two ? patchesOf(module, scratch, owned, scene.patchesB, scene.planesB, 'patchesB') : 0;
-      const occluders = occludersOf(module, scratch, owned, scene);
-      const options = scratch.zeros(optionBytes);
-      module.call('shaftcull_default_visibility_options', options);
-      module.view.setUint32(options + 8, contact, true);
-      const result =
-          owned.make('shaftcull_visibility_result_free', 'shaftcull_collect_visibility', a, b, occluders, options);
-      const orderA = orderOf(module, scratch, a);
-      const boxes = ((scene.boxes?.length ?? 0) + (scene.solids?.length ?? 0)) / 6;
-      const orderB = two ? orderOf(module, scratch, b) : orderA;
-      return new Visibility(module, scratch, result, orderA, orderB, trianglesOf(module, scratch, occluders, boxes));
-    });
-  } finally {
-    owned.release();
-  }
+  return withHandles(module, (make) => module.scratch((scratch) => {
+    const a = patchesOf(module, scratch, make, scene.patches, scene.planes, 'patches');
+    const two = Boolean(scene.patchesB);
+    const b = two ? patchesOf(module, scratch, make, scene.patchesB, scene.planesB, 'patchesB') : 0;
+    const occluders = occludersOf(module, scratch, make, scene);
+    const options = scratch.zeros(optionBytes);
+    module.call('shaftcull_default_visibility_options', options);
+    module.view.setUint32(options + 8, contact, true);
+    const result = make('shaftcull_visibility_result_free', 'shaftcull_collect_visibility', a, b, occluders, options);
+    const orderA = orderOf(module, scratch, a);
+    const boxes = ((scene.boxes?.length ?? 0) + (scene.solids?.length ?? 0)) / 6;
+    const orderB = two ? orderOf(module, scratch, b) : orderA;
+    return new Visibility(module, scratch, result, orderA, orderB, trianglesOf(module, scratch, occluders, boxes));
+  }));
 }
 
 class Visibility {

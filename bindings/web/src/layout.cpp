@@ -18,6 +18,8 @@ static_assert(offsetof(shaftcull_source, indices) == 32);
 static_assert(offsetof(shaftcull_source, vertex_count) == 40);
 static_assert(SHAFTCULL_SOURCE_BOXES == 1 && SHAFTCULL_SOURCE_SPHERES == 3 && SHAFTCULL_SOURCE_TRIANGLES == 4);
 static_assert(SHAFTCULL_SOURCE_MESH == 5);
+static_assert(SHAFTCULL_BOXES == 1 && SHAFTCULL_SPHERES == 2 && SHAFTCULL_TRIANGLES == 3);
+static_assert(SHAFTCULL_OUTSIDE == 0 && SHAFTCULL_OVERLAP == 1 && SHAFTCULL_INSIDE == 2);
 static_assert(sizeof(shaftcull_box) == 24 && offsetof(shaftcull_box, hi) == 12);
 static_assert(sizeof(shaftcull_sphere) == 16 && offsetof(shaftcull_sphere, radius) == 12);
 static_assert(sizeof(shaftcull_triangle) == 36);
@@ -50,11 +52,11 @@ static_assert(SHAFTCULL_TRIANGLES_EXACT == 0 && SHAFTCULL_TRIANGLES_BY_VERTICES 
 static_assert(sizeof(shaftcull_batch_planes) == 32);
 static_assert(offsetof(shaftcull_batch_planes, a_count) == 8);
 
-static_assert(sizeof(shaftcull_kept_counts) == 16);
+static_assert(sizeof(shaftcull_kept_counts) == 16 && offsetof(shaftcull_kept_counts, inside) == 8);
 
 static_assert(sizeof(shaftcull_contact_found) == 16);
+static_assert(offsetof(shaftcull_contact_found, index) == 0);
 static_assert(offsetof(shaftcull_contact_found, time) == 8);
-static_assert(offsetof(shaftcull_contact_found, found) == 12);
 
 static_assert(sizeof(shaftcull_lists_info) == 16);
 static_assert(offsetof(shaftcull_lists_info, offsets) == 8);
