@@ -18,6 +18,7 @@
  * position that is none a `RangeError`. Objects are as they were.
  *
  * Memory. Objects hold memory of the module until `free()`, or until they are garbage. What a call returns is a copy.
+ * The module keeps as much memory for results as the largest bits, counts or list for one shaft took, up to twice that.
  * A call that the library refuses keeps memory: some KB, and of large arguments up to three times as much as they take.
  * The module has 4 GB at most; after 'out of memory' make a new one. It has no threads: a worker makes one of its own.
  */
@@ -30,6 +31,9 @@ export type Contact = 'closed' | 'open';
 
 /** Which depths in clip space are in view: `zero_to_one` as in WebGPU, `minus_one_to_one` as in WebGL. */
 export type ClipDepth = 'zero_to_one' | 'minus_one_to_one';
+
+/** The answer of a shaft for one bound. */
+export type Answer = 'outside' | 'overlap' | 'inside';
 
 /** What is said of a pair of patches. */
 export type Sight = 'undecided' | 'clear' | 'occluded' | 'facing_away';
@@ -130,24 +134,42 @@ export interface Held {
   free(): void;
 }
 
+/** A volume: an array of shafts, or a convex hull. */
+export interface Volume extends Held {
+  /**
+   * The answer for one bound: 6 floats of a box, 4 of a sphere or 9 of a triangle. The bound is not checked; one with a
+   * NaN is never inside. For arrays of shafts `at` names the shaft, the first by default.
+   */
+  classify(bound: Floats, options?: {at?: number, triangleTest?: TriangleTest}): Answer;
+  /** Whether the volume keeps this one bound: whether the bound is not outside. */
+  keeps(bound: Floats, options?: {at?: number, triangleTest?: TriangleTest}): boolean;
+}
+
 /**
  * A convex hull: it goes wherever one shaft goes. Triangles are compared with it by their vertices, which keeps some
  * that are outside.
  */
-export interface Hull extends Held {
+export interface Hull extends Volume {
   /** 3 floats each, as they were given. */
   readonly points: Float32Array;
   readonly directions: Float32Array;
 }
 
 /** An array of shafts. Questions of one shaft take the first of them, or the one that their option `at` names. */
-export interface Shafts extends Held {
+export interface Shafts extends Volume {
   readonly length: number;
   /**
    * The planes that join the boxes of shaft `at`, in the order in which they are tested: 4 floats each, the normal,
    * which points out, and the offset. Of shafts between two boxes only.
    */
   joiningPlanes(at?: number): Float32Array;
+  /** Whether this one solid box hides one end of a shaft from the other. For shafts between two boxes. */
+  occludedByBox(solid: Floats, options?: {at?: number}): boolean;
+  /**
+   * Whether a convex polygon does, a wall at any angle for example. 3 floats for each corner; three corners or more, in
+   * order, either way round.
+   */
+  occludedByPolygon(corners: Floats, options?: {at?: number}): boolean;
 }
 
 /** How triangles are tested: exactly, or by the box around their vertices. */
@@ -167,9 +189,12 @@ export interface QueryOptions {
    * last one. One mask for all shafts, or an array with one for each. The bounds must have layers: `setLayers()`.
    */
   layerMask?: number | ArrayLike<number>;
-  /** Stops at so many results of a shaft, those that come first; 1 or more. For lists and counts of kept bounds. */
+  /**
+   * Stops at so many results per shaft, those that come first; 1 or more. For `count`, `list`, `listOccluders`, and
+   * their forms for many shafts.
+   */
   limit?: number;
-  /** Asks only about these bounds, by index; lists keep their order. Not for `findOccluder()` and `listOccluders()`. */
+  /** Asks only about these bounds, by index; lists keep their order. Not for queries about solids. */
   only?: ArrayLike<number>;
   /** 'exact' if it is not said, for hulls 'vertices', which is all that they answer. Not for boxes and spheres. */
   triangleTest?: TriangleTest;
@@ -190,26 +215,54 @@ export interface AskManyOptions extends QueryOptions {
   excludeEach?: ArrayLike<number>;
 }
 
-/** All bounds: what they can be asked, and their layers. Lists ascend; those of trees have the order of the tree. */
+/** Lists of indices, one per shaft: list s is indices[offsets[s]] to before indices[offsets[s + 1]]. */
+export interface Lists {
+  /** One more than there are shafts. */
+  readonly offsets: Float64Array;
+  readonly indices: Uint32Array;
+}
+
+/** The bound that a moving box reaches first. */
+export interface FirstContact {
+  readonly index: number;
+  /** From 0 at the start of the movement to 1 at its end, rounded down. */
+  readonly time: number;
+}
+
+/**
+ * All bounds: what they can be asked, and their layers. Lists ascend; those of trees have the order of the tree.
+ *
+ * Queries whose names end in `Many` ask all shafts of an array. Element s, row s or list s of their result is the
+ * answer for shaft s, the same as the query about one shaft has for `at: s`.
+ */
 export interface Bounds extends Held {
   readonly length: number;
   /** Bit i % 32 of word i / 32 says whether the shaft keeps bound i: whether it is not outside. */
-  cull(shaft: Shafts | Hull, options?: Omit<AskOptions, 'limit'>): Uint32Array;
-  /** How many it keeps; with `limit` that many at most, and then it stops early. */
-  count(shaft: Shafts | Hull, options?: AskOptions): number;
-  /** Which it keeps; with `limit` the first of them. */
-  list(shaft: Shafts | Hull, options?: AskOptions): Uint32Array;
-  /** Whether it keeps any. */
-  any(shaft: Shafts | Hull, options?: Omit<AskOptions, 'limit'>): boolean;
-  /** Bits of what is kept, and of what is inside entirely. */
-  classify(shaft: Shafts | Hull, options?: Omit<AskOptions, 'limit'>): {kept: Uint32Array, inside: Uint32Array};
-  /** Indices of what overlaps, and of what is inside entirely. */
-  listClassified(shaft: Shafts | Hull,
-                 options?: Omit<AskOptions, 'limit'>): {overlap: Uint32Array, inside: Uint32Array};
-  /** How many each shaft keeps. */
+  cull(shaft: Volume, options?: Omit<AskOptions, 'limit'>): Uint32Array;
+  /** One row of bits per shaft, as `cull()` returns it. */
+  cullMany(shafts: Shafts, options?: Omit<AskManyOptions, 'limit'>): Uint32Array[];
+  /** Bits of the bounds that the shaft keeps, and of those that are inside entirely. */
+  classify(shaft: Volume, options?: Omit<AskOptions, 'limit'>): {kept: Uint32Array, inside: Uint32Array};
+  /** One row of bits per shaft, for both. */
+  classifyMany(shafts: Shafts,
+               options?: Omit<AskManyOptions, 'limit'>): {kept: Uint32Array[], inside: Uint32Array[]};
+  /** How many bounds the shaft keeps; with `limit` that many at most, and then it stops early. */
+  count(shaft: Volume, options?: AskOptions): number;
   countMany(shafts: Shafts, options?: AskManyOptions): Float64Array;
-  /** What shaft s keeps are indices[offsets[s]] to before indices[offsets[s + 1]]. */
-  listMany(shafts: Shafts, options?: AskManyOptions): {offsets: Float64Array, indices: Uint32Array};
+  /** How many bounds overlap the shaft, and how many are inside entirely. */
+  countClassified(shaft: Volume, options?: Omit<AskOptions, 'limit'>): {overlap: number, inside: number};
+  countClassifiedMany(shafts: Shafts,
+                      options?: Omit<AskManyOptions, 'limit'>): {overlap: Float64Array, inside: Float64Array};
+  /** Which bounds the shaft keeps; with `limit` the first of them. */
+  list(shaft: Volume, options?: AskOptions): Uint32Array;
+  listMany(shafts: Shafts, options?: AskManyOptions): Lists;
+  /** Indices of the bounds that overlap the shaft, and of those that are inside entirely. */
+  listClassified(shaft: Volume, options?: Omit<AskOptions, 'limit'>): {overlap: Uint32Array, inside: Uint32Array};
+  listClassifiedMany(shafts: Shafts, options?: Omit<AskManyOptions, 'limit'>): {overlap: Lists, inside: Lists};
+  /** Whether the shaft keeps any bound. */
+  any(shaft: Volume, options?: Omit<AskOptions, 'limit'>): boolean;
+  /** Bit s % 32 of word s / 32 says it of shaft s. */
+  anyMany(shafts: Shafts, options?: Omit<AskManyOptions, 'limit'>): Uint32Array;
   /**
    * Puts all bounds into layers, for the option `layerMask`: bit l of layers[i] says that bound i is in layer l. One
    * integer of 32 bits from 0 on for each bound. Replaces the layers that there were. O(n). A tree of triangles has
@@ -227,18 +280,24 @@ export interface TriangleBounds extends Bounds {}
 
 /** Spheres and boxes can be reached by bodies that move, too. */
 export interface SphereBounds extends Bounds {
-  /** The bound that the moving box of the shaft reaches first, and when, from 0 at the start to 1 at the end. */
-  firstContact(shaft: Shafts, options?: Omit<AskOptions, 'limit'>): {index: number, time: number} | undefined;
-  /** When it reaches each of these, +∞ if never. Times are rounded down. */
+  /** The bound that the moving box of the shaft reaches first, and when. */
+  firstContact(shaft: Shafts, options?: Omit<AskOptions, 'limit'>): FirstContact | undefined;
+  firstContactMany(shafts: Shafts, options?: Omit<AskManyOptions, 'limit'>): (FirstContact | undefined)[];
+  /** When that box reaches each of these bounds, +∞ if never. Times are rounded down. */
   entryTimes(shaft: Shafts, indices: ArrayLike<number>, options?: {at?: number}): Float32Array;
 }
 
 /** Boxes can be asked as solids, too. */
 export interface BoxBounds extends SphereBounds {
-  /** The first solid found that alone hides the one end of the shaft from the other. */
+  /** Whether one of the solids alone hides one end of the shaft from the other. For shafts between two boxes. */
+  occluded(shaft: Shafts, options?: Omit<AskOptions, 'limit' | 'only'>): boolean;
+  /** Bit s % 32 of word s / 32 says it of shaft s. */
+  occludedMany(shafts: Shafts, options?: Omit<AskManyOptions, 'limit' | 'only'>): Uint32Array;
+  /** One such solid: in a stream the one of lowest index, in a tree the first in its order. */
   findOccluder(shaft: Shafts, options?: Omit<AskOptions, 'limit' | 'only'>): number | undefined;
-  /** All that do; with `limit` the first of them. */
+  /** All such solids; with `limit` the first of them. */
   listOccluders(shaft: Shafts, options?: Omit<AskOptions, 'only'>): Uint32Array;
+  listOccludersMany(shafts: Shafts, options?: Omit<AskManyOptions, 'only'>): Lists;
 }
 
 /** A tree whose bounds may move. */

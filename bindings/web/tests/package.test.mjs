@@ -44,6 +44,45 @@ const upTo = (count) => Array.from({length: count}, (_, i) => i);
 const positionsOf = (bits, count) => upTo(count).filter((i) => bits[i >> 5] >>> (i & 31) & 1);
 const ascending = (indices) => Array.from(indices).sort((a, b) => a - b);
 
+/** Arrays as an array: element i has an element of each under the same name. */
+const zipped = (arrays) => Array.from(Object.values(arrays)[0], (_, i) => Object.fromEntries(
+    Object.entries(arrays).map(([name, array]) => [name, array[i]])));
+const listsOf = ({offsets, indices}) =>
+    upTo(offsets.length - 1).map((s) => indices.slice(offsets[s], offsets[s + 1]));
+const flagsOf = (bits, count) => upTo(count).map((i) => (bits[i >> 5] >>> (i & 31) & 1) === 1);
+
+/** Options of a query about many shafts as those of the query about shaft `at`. */
+function optionsAt(at, shafts, {excludeEach = [], layerMask, ...options}) {
+  const perShaft = excludeEach.length / shafts.length;
+  const row = Array.from(excludeEach).slice(at * perShaft, (at + 1) * perShaft);
+  const one = {...options, at, exclude: [...options.exclude ?? [], ...row]};
+  return layerMask === undefined ? one : {...one, layerMask: typeof layerMask === 'number' ? layerMask : layerMask[at]};
+}
+
+/** Queries about many shafts answer as those about one; `verbs` have the names of these. */
+function agreesWithOne(holder, shafts, options, verbs, said) {
+  const {length} = shafts;
+  const asArray = {
+    cull: (rows) => rows,
+    classify: zipped,
+    count: (counts) => [...counts],
+    countClassified: zipped,
+    list: listsOf,
+    listClassified: ({overlap, inside}) => zipped({overlap: listsOf(overlap), inside: listsOf(inside)}),
+    any: (bits) => flagsOf(bits, length),
+    firstContact: (contacts) => contacts,
+    occluded: (bits) => flagsOf(bits, length),
+    listOccluders: listsOf,
+  };
+  for (const verb of verbs) {
+    const one = upTo(length).map((at) => holder[verb](shafts, optionsAt(at, shafts, options)));
+    assert.deepEqual(asArray[verb](holder[`${verb}Many`](shafts, options)), one, `${said}, ${verb}`);
+  }
+}
+
+const ofAnyBounds = ['cull', 'classify', 'count', 'countClassified', 'list', 'listClassified', 'any'];
+const withLimit = ['count', 'list'];
+
 /** A box that moves by whole numbers, asked about another one: when they first touch, by fractions of whole numbers. */
 function touches(body, by, box) {
   let [enter, leave] = [0, 1];
@@ -99,8 +138,8 @@ describe('bounds', () => {
 
   test('all questions about many boxes agree', () => {
     const boxes = boxesOf(1000, 1);
-    const ends = boxesOf(40, 2);
-    const shafts = shaftcull.between(ends.subarray(0, 120), ends.subarray(120));
+    const ends = boxesOf(140, 2);
+    const shafts = shaftcull.between(ends.subarray(0, 420), ends.subarray(420));
     for (const holder of [shaftcull.boxStream(boxes), shaftcull.boxTree(boxes)]) {
       const counts = holder.countMany(shafts);
       const {offsets, indices} = holder.listMany(shafts);
@@ -115,9 +154,37 @@ describe('bounds', () => {
         assert.deepEqual(positionsOf(bits.inside, 1000), ascending(inside));
         assert.deepEqual(positionsOf(holder.cull(shafts, {at}), 1000), kept);
         assert.equal(holder.any(shafts, {at}), kept.length !== 0);
+        const countsOfBoth = {overlap: overlap.length, inside: inside.length};
+        assert.deepEqual(holder.countClassified(shafts, {at}), countsOfBoth);
       }
+      agreesWithOne(holder, shafts, {}, ofAnyBounds, holder.kind);
     }
     assert(shaftcull.boxTree(boxes).countMany(shafts).some((count) => count > 0));
+  });
+
+  test('are asked about no shafts', () => {
+    const none = shaftcull.between([], []);
+    const lists = {offsets: Float64Array.of(0), indices: new Uint32Array()};
+    for (const holder of [shaftcull.boxStream(scene), shaftcull.boxTree(scene)]) {
+      assert.deepEqual(holder.cullMany(none), []);
+      assert.deepEqual(holder.classifyMany(none), {kept: [], inside: []});
+      assert.deepEqual(holder.countMany(none), new Float64Array());
+      assert.deepEqual(holder.countClassifiedMany(none), {overlap: new Float64Array(), inside: new Float64Array()});
+      assert.deepEqual(holder.listMany(none), lists);
+      assert.deepEqual(holder.listClassifiedMany(none), {overlap: lists, inside: lists});
+      assert.deepEqual(holder.anyMany(none), new Uint32Array());
+      assert.deepEqual(holder.firstContactMany(none), []);
+      assert.deepEqual(holder.occludedMany(none), new Uint32Array());
+      assert.deepEqual(holder.listOccludersMany(none), lists);
+    }
+  });
+
+  test('are none, and are asked about many shafts', () => {
+    const shafts = shaftcull.between(lamp, scene);
+    for (const holder of [shaftcull.boxStream([]), shaftcull.boxTree([]), shaftcull.triangleTree([])]) {
+      agreesWithOne(holder, shafts, {}, ofAnyBounds, holder.kind);
+      assert.deepEqual(holder.cullMany(shafts), [new Uint32Array(), new Uint32Array(), new Uint32Array()]);
+    }
   });
 
   test('lists that are longer than the memory for them', () => {
@@ -301,6 +368,7 @@ describe('options', () => {
         assert.deepEqual([...holder.countMany(shafts, options)], left.map((list) => list.length), said);
         const {offsets, indices} = holder.listMany(shafts, options);
         assert.deepEqual(left.map((_, s) => [...indices.subarray(offsets[s], offsets[s + 1])]), left, said);
+        agreesWithOne(holder, shafts, options, options.limit === undefined ? ofAnyBounds : withLimit, said);
       }
     }
   });
@@ -319,6 +387,12 @@ describe('options', () => {
         assert.equal(times[left.indexOf(index)], time, said);
       }
       assert.equal(holder.firstContact(shaft, {exclude: whole}), undefined, name);
+      const bodies = [0, 0, 0, 30, 30, 30, 90, 90, 90, 91, 91, 91, 200, 0, 0, 201, 1, 1];
+      const shafts = shaftcull.swept(bodies, [70, 70, 70, -90, -90, -90, 1, 0, 0]);
+      const sets = [{}, {exclude: whole}, {excludeEach: [first[0], 1, 2]}, ...optionSets(holder, hasLayers, whole)];
+      if (hasLayers) sets.push({layerMask: [1, LAST, 6]});
+      for (const options of sets) agreesWithOne(holder, shafts, options, ['firstContact'], name);
+      assert.equal(holder.firstContactMany(shafts)[2], undefined, name);
     }
   });
 
@@ -337,6 +411,18 @@ describe('options', () => {
       holder.setLayers([1, 2, 2, 4]);
       assert.equal(holder.findOccluder(shaft, {layerMask: 4}), 3);
       assert.deepEqual(ascending(holder.listOccluders(shaft, {layerMask: 6})), [1, 3]);
+      const ends = upTo(70).flatMap((i) => [8 - i % 9, 0, 0, 9 - i % 9, 1, 1]);
+      const shafts = shaftcull.between([0, 0, 0, 1, 1, 1], ends);
+      const sets = [{}, {exclude: [1]}, {excludeMask: [0b1010]}, {excludeEach: upTo(70).map((i) => i % 4)},
+                    {layerMask: 6}, {layerMask: upTo(70).map((i) => i % 8)}];
+      for (const options of sets) {
+        const said = Object.keys(options).join();
+        agreesWithOne(holder, shafts, options, ['occluded', 'listOccluders'], said);
+        const isFound = upTo(70).map((at) => holder.findOccluder(shafts, optionsAt(at, shafts, options)) !== undefined);
+        assert.deepEqual(flagsOf(holder.occludedMany(shafts, options), 70), isFound, said);
+        assert(isFound.includes(true) && isFound.includes(false), said);
+      }
+      agreesWithOne(holder, shafts, {limit: 1}, ['listOccluders'], 'limit');
     }
   });
 
@@ -371,7 +457,11 @@ describe('options', () => {
       for (const question of ['cull', 'classify', 'any', 'listClassified', 'firstContact', 'findOccluder']) {
         assert.throws(() => holder[question](shafts, {limit: 1}), /limit/, question);
       }
-      for (const question of ['findOccluder', 'listOccluders']) {
+      for (const question of ['countClassified', 'cullMany', 'classifyMany', 'countClassifiedMany', 'anyMany',
+                              'listClassifiedMany', 'firstContactMany', 'occluded', 'occludedMany']) {
+        assert.throws(() => holder[question](shafts, {limit: 1}), /limit/, question);
+      }
+      for (const question of ['findOccluder', 'listOccluders', 'occluded', 'occludedMany', 'listOccludersMany']) {
         assert.throws(() => holder[question](shafts, {only: [0]}), /only/, question);
       }
       for (const [options, message] of [
@@ -460,6 +550,61 @@ describe('shafts', () => {
     assert.deepEqual([...tree.list(shaftcull.shadow(light, occluder))], [0]);
     assert.deepEqual([...tree.list(shaftcull.shadow(light, occluder, {reach: 2}))], []);
     assert.deepEqual([...tree.list(shaftcull.shadow(light, occluder, {reach: 8, contact: 'open'}))], [0]);
+  });
+
+  test('answer for one bound as for bounds in streams', () => {
+    const boxes = boxesOf(200, 8);
+    const spheres = Float32Array.from({length: 4 * 200}, (_, i) => boxes[6 * (i >> 2) + i % 4] % (i % 4 < 3 ? 100 : 6));
+    const triangles = Float32Array.from({length: 9 * 200}, (_, i) => boxes[6 * Math.floor(i / 9) + i % 3] + i % 5);
+    const [a, b] = [[10, 10, 10, 50, 50, 50], [60, 50, 40, 95, 90, 80]];
+    const shafts = shaftcull.between([...lamp, ...a], [...table, ...b]);
+    const cornersOf = (box) => upTo(8).flatMap((c) => [box[c & 1 ? 3 : 0], box[c & 2 ? 4 : 1], box[c & 4 ? 5 : 2]]);
+    const hull = shaftcull.hull([...cornersOf(a), ...cornersOf(b)]);
+    for (const [holder, values, tests] of [
+      [shaftcull.boxStream(boxes), boxes, [undefined]],
+      [shaftcull.sphereStream(spheres), spheres, [undefined]],
+      [shaftcull.triangleStream(triangles), triangles, [undefined, 'exact', 'vertices']],
+    ]) {
+      const floats = values.length / 200;
+      for (const [volume, at, triangleTest] of [
+        ...tests.flatMap((each) => [[shafts, 0, each], [shafts, 1, each]]), [hull, 0, undefined],
+      ]) {
+        const options = {at, triangleTest};
+        const {kept, inside} = holder.classify(volume, options);
+        const answers = upTo(200).map((i) => volume.classify(values.subarray(floats * i, floats * (i + 1)), options));
+        const flags = {kept: flagsOf(kept, 200), inside: flagsOf(inside, 200)};
+        const expected = zipped(flags).map((one) => (one.inside ? 'inside' : one.kept ? 'overlap' : 'outside'));
+        assert.deepEqual(answers, expected, `${holder.kind}, ${triangleTest}`);
+        const keeps = upTo(200).map((i) => volume.keeps(values.subarray(floats * i, floats * (i + 1)), options));
+        assert.deepEqual(keeps, flags.kept, `${holder.kind}, ${triangleTest}`);
+        if (at === 1) assert.equal(new Set(answers).size, 3, `${holder.kind}: all answers come up`);
+      }
+    }
+    assert.equal(shafts.classify(scene.slice(0, 6)), 'overlap', 'the first shaft is asked by default');
+    assert.throws(() => shafts.classify(lamp, {triangleTest: 'vertices'}), ShaftcullError);
+    assert.throws(() => hull.classify(triangles.subarray(0, 9), {triangleTest: 'exact'}), ShaftcullError);
+  });
+
+  test('are occluded by one box or polygon', () => {
+    const [end, far] = [[0, 0, 0, 1, 1, 1], [8, 0, 0, 9, 1, 1]];
+    const shafts = shaftcull.between(end, [...far, 8, 50, 0, 9, 51, 1]);
+    const solids = [[3, -9, -9, 4, 9, 9], [3, 0, 0, 4, 0.5, 1], [5, -20, -20, 6, 20, 20], [5, -20, -20, 6, 90, 20]];
+    for (const solid of solids) {
+      for (const at of [0, 1]) {
+        const expected = shaftcull.boxStream(solid).occluded(shafts, {at});
+        assert.equal(shafts.occludedByBox(solid, {at}), expected, `${solid}, ${at}`);
+        const [, y, z, x, top, back] = solid;
+        const polygon = [x, y, z, x, top, z, x, top, back, x, y, back];
+        assert.equal(shafts.occludedByPolygon(polygon, {at}), expected, `${solid}, ${at}`);
+      }
+    }
+    assert.deepEqual(solids.map((solid) => shafts.occludedByBox(solid)), [true, false, true, true]);
+    const swept = shaftcull.swept(end, [9, 0, 0]);
+    for (const refused of [() => swept.occludedByBox(solids[0]), () => shafts.occludedByPolygon([1, 2, 3, 4, 5, 6]),
+                           () => shafts.occludedByPolygon([1, 2, 3, 4, 5, NaN, 7, 8, 9]),
+                           () => swept.occludedByPolygon([1, 2, 3, 4, 5, 6, 7, 8, 0])]) {
+      assert.throws(refused, ShaftcullError);
+    }
   });
 
   test('are occluded by solids', () => {
@@ -599,6 +744,17 @@ describe('what cannot be answered is refused', () => {
       [() => ask({own: [0]}), /no option 'own'/],
       [() => ask({excludeEach: [0]}), /no option 'excludeEach'/],
       [() => askMany({at: 0}), /no option 'at'/],
+      [() => shaftcull.boxTree(scene).cullMany(shaftcull.between(lamp, table), {at: 0}), /no option 'at'/],
+      [() => shaftcull.boxTree(scene).cullMany(shaftcull.hull([0, 0, 0])), /shafts are made by/],
+      [() => shaftcull.boxTree(scene).anyMany(lamp), /shafts are made by/],
+      [() => shaftcull.between(lamp, table).classify([1, 2, 3, 4, 5]), /bound has 5 floats; a box has 6/],
+      [() => shaftcull.between(lamp, table).classify([0.1, 0, 0, 1, 1, 1]), /bound\[0\] = 0\.1 is no float32/],
+      [() => shaftcull.between(lamp, table).keeps(lamp, {limit: 1}), /no option 'limit'/],
+      [() => shaftcull.between(lamp, table).keeps(lamp, {at: 1}), /at = 1 is no integer/],
+      [() => shaftcull.hull([0, 0, 0]).keeps(lamp, {at: 1}), /at = 1 is no integer/],
+      [() => shaftcull.between(lamp, table).occludedByBox([1, 2, 3]), /solid has 3 floats instead of 6/],
+      [() => shaftcull.between(lamp, table).occludedByBox(lamp, {only: [0]}), /no option 'only'/],
+      [() => shaftcull.between(lamp, table).occludedByPolygon([1, 2]), /corners has 2 floats/],
       [() => ask({exclude: [-1]}), /exclude\[0\] = -1 is no integer/],
       [() => ask({only: 0}), /only is no array/],
       [() => ask({excludeMask: [0, 0]}), /excludeMask has 2 words instead of 1/],
@@ -649,6 +805,12 @@ describe('what cannot be answered is refused', () => {
       for (;;) held.push(one.boxStream(boxes));
     }, (error) => error.status === 'out of memory');
     for (const boxes of held) boxes.free();
+    // A row of bits per shaft: more than 4 GB, by a little.
+    const boxes = one.boxStream(new Float32Array(6 * 350_000));
+    const shafts = one.swept(lamp, new Float32Array(3 * 100_000));
+    assert.throws(() => boxes.cullMany(shafts), (error) => error.status === 'out of memory');
+    boxes.free();
+    shafts.free();
     assert.equal(one.boxStream(scene).count(one.between(lamp, table)), 2);
   });
 });

@@ -2,7 +2,8 @@
 // A client in TypeScript, which is compiled and not run: all types are there, and what is wrong is refused.
 import {load, roundOutwards, ShaftcullError} from 'shaftcull';
 import type {
-  AskManyOptions, AskOptions, BoxTree, Bounds, Floats, Hull, Shafts, Shaftcull, Sight, Visibility,
+  Answer, AskManyOptions, AskOptions, BoxTree, Bounds, FirstContact, Floats, Hull, Lists, Shafts, Shaftcull, Sight,
+  Visibility, Volume,
 } from 'shaftcull';
 
 const shaftcull: Shaftcull = await load(new Uint8Array());
@@ -20,6 +21,14 @@ tree.setLayersOf([0], [2]);
 const asked: AskOptions = {exclude: [0], excludeMask: tree.cull(view), layerMask: 1, limit: 9, only: [0], at: 0};
 const askedMany: AskManyOptions = {excludeEach: Uint32Array.of(0), layerMask: [1, 2], triangleTest: 'vertices'};
 export const lists: Uint32Array[] = [tree.list(shafts, asked), tree.listMany(shafts, askedMany).indices];
+const named: Lists = tree.listClassifiedMany(shafts, {excludeEach: [0]}).inside;
+export const rows: Uint32Array[] = [...tree.cullMany(shafts), ...tree.classifyMany(shafts).kept, named.indices];
+export const bits: Uint32Array[] = [tree.anyMany(shafts), tree.occludedMany(shafts, {exclude: [0]})];
+export const each: Float64Array[] = [tree.countClassifiedMany(shafts).inside, tree.listOccludersMany(shafts).offsets];
+export const contacts: (FirstContact | undefined)[] = tree.firstContactMany(shafts, {only: [0]});
+const volumes: readonly Volume[] = [shafts, view];
+export const answers: Answer[] = volumes.map((volume) => volume.classify(boxes, {at: 0, triangleTest: 'vertices'}));
+export const is: boolean[] = [view.keeps(boxes), shafts.occludedByBox(boxes), shafts.occludedByPolygon([], {at: 1})];
 export const inside: Uint32Array[] = every.map((bounds) => bounds.listClassified(view, {exclude: [0]}).inside);
 
 const seen: Visibility = shaftcull.visibility({patches: boxes, solids: boxes});
@@ -41,6 +50,12 @@ tree.firstContact(view);
 tree.list(shafts, {excludeEach: [0]});
 // @ts-expect-error: bits have no limit
 tree.cull(shafts, {limit: 1});
+// @ts-expect-error: rows of bits have no limit
+tree.cullMany(shafts, {limit: 1});
+// @ts-expect-error: a hull is not many shafts
+tree.countMany(view);
+// @ts-expect-error: spheres hide nothing
+shaftcull.sphereTree([]).occludedMany(shafts);
 // @ts-expect-error: solids are not asked about candidates
 tree.findOccluder(shafts, {only: [0]});
 // @ts-expect-error: there is no such test
