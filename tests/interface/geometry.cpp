@@ -210,6 +210,7 @@ TEST(ViewPlanes, RefuseWhatIsNoMatrixOfAView) {
   matrix[6] = 0;
   EXPECT_THAT(message_of([&] { (void)view_planes(matrix, static_cast<ClipDepth>(2)); }), HasSubstr("depth = 2"));
   matrix[0] = FLT_MAX;
+  matrix[3] = 2;
   matrix[12] = FLT_MAX;
   EXPECT_THAT(message_of([&] { (void)view_planes(matrix, ClipDepth::zero_to_one); }),
               HasSubstr("the left plane is beyond the largest float"));
