@@ -479,7 +479,8 @@ bool move_things(const Scene& scene) {
   const sc::Box partition{{5, 1.5F, 0.25F}, {5.25F, 3.5F, 2.5F}};
   const auto number = static_cast<std::uint32_t>(scene.occluders.size());
   const auto with = [&](const sc::Box& box, bool is_solid, sc::Occluders occluders) {
-    is_solid ? occluders.add_solids(std::span(&box, 1)) : occluders.add_boxes(std::span(&box, 1));
+    is_solid ? occluders.add_solids(std::span(&box, 1))
+             : occluders.add_boxes(std::span(&box, 1));
     return occluders;
   };
   const auto alone = [&](const sc::Box& box, bool is_solid) { return with(box, is_solid, {}); };
@@ -494,8 +495,8 @@ bool move_things(const Scene& scene) {
   begin = Clock::now();
   leaves(scene, answers, changed, number);
   changed = comes(scene, answers, alone(elsewhere, false), number);
-  if (!check(scene, answers, with(elsewhere, false, scene.occluders), "it moves", changed.size(),
-             begin))
+  if (!check(scene, answers, with(elsewhere, false, scene.occluders), "it moves",
+             changed.size(), begin))
     return false;
 
   begin = Clock::now();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// The slab constraints of one shaft: its six faces in the lanes of one vector.
 ///
-/// The arithmetic of slab_constraints.hpp, operation by operation, so that a shaft formed alone has the bits of one formed in a
-/// batch.
+/// The arithmetic of slab_constraints.hpp, operation by operation, so that a shaft formed alone has the bits of one
+/// formed in a batch.
 #pragma once
 
 #include <cfloat>

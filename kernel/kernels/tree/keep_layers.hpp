@@ -6,8 +6,8 @@
 
 namespace shaftcull::kernel {
 
-/// As KeepLayers in kernels/kernel_table.hpp. Plain loops, which compilers turn into vectors of the set's width: first a byte
-/// a bound, then a multiplication that moves the lowest bits of eight bytes side by side.
+/// As KeepLayers in kernels/kernel_table.hpp. Plain loops, which compilers turn into vectors of the set's width: first
+/// a byte a bound, then a multiplication that moves the lowest bits of eight bytes side by side.
 template <class L>
 std::uint64_t keep_layers(const std::uint32_t* layers, std::uint32_t mask) noexcept {
   std::uint64_t bits = 0;
