@@ -12,24 +12,25 @@
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 
-/// What becomes of a bound that touches a shaft without reaching into it (set_contact() in compiled.hpp).
+/// Whether a shaft keeps a bound that touches it without reaching into it (set_contact()).
 enum class Contact : std::uint8_t {
-  closed,  ///< It is kept.
-  /// It is outside. A bound is kept only if its relative interior has a point in common with the shaft's: so the wall
-  /// that a patch lies on is not kept, nor the floor beside it. The relative interior of a flat box is the rectangle
-  /// without its edges, that of a segment leaves out its ends, and that of a point is the point. So a sheet of glass
-  /// across the shaft is kept, and so is a flat box that reaches into a shaft in its own plane.
+  closed,  ///< The bound is kept.
+  /// The bound is outside. A bound is kept only if its relative interior and that of the shaft have a point in common.
+  /// So the wall that a patch lies on is not kept, and neither is the floor beside it. The relative interior of a flat
+  /// box is the rectangle without its edges; that of a segment is the segment without its ends; that of a point is the
+  /// point. So a sheet of glass across the shaft is kept, and so is a flat box that reaches into the shaft from the
+  /// side.
   open,
 };
 
-/// Which form of a shaft decides *outside*, of boxes and spheres (set_form() in compiled.hpp). Answers are the same;
-/// speed is not.
+/// The form of a shaft that decides whether boxes and spheres are outside (set_form()). Answers are the same, speed is
+/// not.
 enum class Form : std::uint8_t {
   slab,    ///< the shaft as a moving box: always faster
   planes,  ///< the paper's planes with near corners
 };
 
-/// Most planes of the user's own that can be added to a shaft.
+/// Most planes that can be added to a shaft.
 inline constexpr std::size_t max_added_planes = 16;
 
 class ConvexHull;
@@ -59,9 +60,9 @@ class SHAFTCULL_EXPORT CompiledShaft {
   [[nodiscard]] bool formed() const noexcept;
 
   /// The boxes that the shaft is between, as they were given; empty boxes, lo = +∞ and hi = −∞, if it was never formed.
-  /// Of a moving box (volumes.hpp) where it starts, the body or the occluder, and where it ends, rounded to nearest. If
-  /// it moves without end, b is somewhere on its way. A shadow does not tell its light. Of a convex hull both are the
-  /// box around it.
+  /// For a moving box (volumes.hpp), a() is the body or the occluder, where the box starts, and b() is where it ends,
+  /// rounded to nearest. If it moves without end, b() is a place on its way. A shadow does not keep its light. For a
+  /// convex hull, both are the box around it.
   [[nodiscard]] Box a() const noexcept;
   [[nodiscard]] Box b() const noexcept;
 
@@ -72,7 +73,7 @@ class SHAFTCULL_EXPORT CompiledShaft {
   /// Whether bounds that only touch the shaft are kept. Contact::closed if it was never formed.
   [[nodiscard]] Contact contact() const noexcept;
 
-  /// What decides *outside*. Form::slab if it is a convex hull or was never formed.
+  /// The form that decides *outside*. Form::slab for a convex hull and for a shaft that was never formed.
   [[nodiscard]] Form form() const noexcept;
 
  private:
@@ -89,21 +90,22 @@ class SHAFTCULL_EXPORT CompiledShaft {
 /// touching boxes are legal. Throws InvalidArgument if a box is not finite or has lo > hi. No allocation; safe to call
 /// from many threads.
 ///
-/// The shaft is ready for queries in slab form. Joining planes are left pending, as those of compile_batch() are.
+/// The shaft is ready for queries in slab form. Joining planes are left pending, as those of compile_batch() are. A
+/// walk through a tree stops above nodes that are inside only for shafts with planes: complete() shafts that keep much.
 ///
 /// `planes` are up to max_added_planes half-spaces that bounds must also meet: the plane of an emitter or receiver, a
 /// clip plane. A bound that is fully outside any one of them is outside. Each takes a few nanoseconds. Throws
 /// InvalidArgument for a plane that is not finite or whose normal is zero, by its position, and for more planes.
 [[nodiscard]] SHAFTCULL_EXPORT CompiledShaft compile(const Box& a, const Box& b, std::span<const Plane> planes = {});
 
-/// The same with a choice of what becomes of bounds that only touch the shaft: that of set_contact().
+/// The same with the contact that set_contact() would choose.
 [[nodiscard]] SHAFTCULL_EXPORT CompiledShaft compile(const Box& a, const Box& b, Contact contact);
 
-/// Planes that compile_batch() adds to its shafts: those of a shaft's box a, then those of
-/// its box b. The planes of a patch and of what it faces, say.
+/// Planes that compile_batch() adds to its shafts: those of the shaft's box a, then those of its box b. Examples are
+/// the planes of a patch and of the patch that it faces.
 ///
-/// Each box has as many as all others of its view, k = a.size() / (number of boxes), and box i has planes k · i to
-/// k · i + k − 1. Empty: none.
+/// All boxes of a view have equally many planes, k = a.size() / (number of boxes). Box i has planes k · i to
+/// k · i + k − 1. An empty span adds none.
 struct BatchPlanes {
   std::span<const Plane> a{};  ///< of the boxes a
   std::span<const Plane> b{};  ///< of the boxes b
@@ -111,17 +113,18 @@ struct BatchPlanes {
 
 /// Forms and compiles the shaft of every pair (a[i], b[i]) into out[i], several pairs at once with SIMD.
 ///
-/// The shafts equal those of compile(a[i], b[i], planes). Joining planes are left pending. Tests in plane form, every
-/// question about inside, and some spheres need them: spheres against a shaft with a face that both boxes touch, or
-/// nearly, or whose boxes are much farther apart than one of them is from the origin, or have coordinates above 2⁶⁰. A
-/// call computes planes that are pending on the fly: once a shaft, but for many shafts against a view once a shaft and
-/// tile of some 1,000 to 2,500 bounds. complete() a shaft that is to answer such questions more than once.
+/// The shafts equal those of compile(a[i], b[i], planes). Joining planes are left pending. Queries in plane form, about
+/// inside, and about some spheres need them. These are spheres against a shaft with a face that both boxes touch, or
+/// nearly touch, against a shaft whose boxes are much farther apart than one of them is from the origin, and against
+/// boxes with coordinates above 2⁶⁰. A query computes planes that are pending: once per shaft, or, for many shafts
+/// against a view, once per shaft and tile of about 1,000 to 2,500 bounds. complete() a shaft that answers such queries
+/// more than once.
 ///
 /// Throws InvalidArgument if the three sizes differ, if planes are not equally many for each box, more than
 /// max_added_planes in all, not finite or without a normal; BadBound for the first pair with a box that is not finite
 /// or has lo > hi. Nothing is written then. O(pairs and planes); no allocation; safe to call from many threads.
 ///
-/// `contact` is that of all shafts: what becomes of bounds that only touch them (set_contact()).
+/// `contact` is the contact of all shafts (set_contact()).
 SHAFTCULL_EXPORT void compile_batch(const BoxView& a, const BoxView& b, std::span<CompiledShaft> out,
                                     const BatchPlanes& planes = {}, Contact contact = Contact::closed);
 
@@ -140,13 +143,12 @@ SHAFTCULL_EXPORT void compile_batch(const BoxView& a, const BoxView& b, std::spa
                                     std::span<CompiledShaft> out, const BatchPlanes& planes = {},
                                     Contact contact = Contact::closed);
 
-/// Computes pending joining planes, some 65 ns; does nothing to a shaft that has them, or that was never formed. No
-/// allocation. It writes to the shaft, so no other thread may use that shaft meanwhile.
+/// Computes pending joining planes, in about 65 ns. Does nothing to a shaft that has them, or that was never formed. No
+/// allocation. The call writes to the shaft, so no other thread may use the shaft meanwhile.
 SHAFTCULL_EXPORT void complete(CompiledShaft& shaft) noexcept;
 
-/// Chooses what becomes of bounds that only touch a shaft, between two boxes or of a moving box (volumes.hpp). All
-/// questions follow it, in both forms, of views and of trees: bits, counts, lists, callbacks, refining. Answers are
-/// exact, as ever.
+/// Chooses whether a shaft between two boxes, or of a moving box (volumes.hpp), keeps bounds that only touch it. All
+/// queries follow the choice, in both forms, for views and for trees. Answers are exact.
 ///
 /// With Contact::open
 /// * a box is outside iff its relative interior has no point in common with that of the shaft. In other words: iff some
@@ -154,26 +156,26 @@ SHAFTCULL_EXPORT void complete(CompiledShaft& shaft) noexcept;
 /// * a sphere is outside iff its centre is at least its radius away from the shaft. One of radius 0 is answered as the
 ///   box that is this point;
 /// * a bound is beyond an added plane iff none of its points is on the inner side, off the plane;
-/// * the same bounds are inside as with Contact::closed, but for flat ones in the shaft's surface, which are outside;
-/// * first_contact() and entry_times() tell of the bounds that are kept, and their times stay the same.
+/// * the same bounds are inside as with Contact::closed, except flat ones in the shaft's surface, which are outside;
+/// * first_contact() and entry_times() report the bounds that are kept, and their times stay the same.
 /// occluded() is the same for both: there, touching never counts.
 ///
 /// Some 10 ns a shaft; may be done at any time, and again. Throws InvalidArgument, and writes nothing, for a shaft that
 /// was never formed and for a convex hull (hull.hpp), which has closed contact only, by its position; and if `contact`
 /// is none of Contact. No allocation. It writes to the shaft, so no other thread may use that shaft meanwhile.
 SHAFTCULL_EXPORT void set_contact(CompiledShaft& shaft, Contact contact);
-/// Likewise for all of `shafts`.
+/// The same for all of `shafts`.
 SHAFTCULL_EXPORT void set_contact(std::span<CompiledShaft> shafts, Contact contact);
 
-/// Chooses the form in which a shaft is asked about boxes and spheres, of views and of trees: answers stay the same.
-/// Planes are for comparisons with the paper, and slower. They are computed at once if they are pending. What blocks,
-/// what is inside and triangles do not depend on the form, and convex hulls have one form: they stay as they are.
+/// Chooses the form in which a shaft decides whether boxes and spheres are outside. Answers stay the same. Form::planes
+/// is for comparisons with the paper, and slower; pending planes are computed at once. Occlusion, *inside* and triangles
+/// do not depend on the form. Convex hulls have one form and stay as they are.
 ///
 /// May be done at any time, and again. Throws InvalidArgument, and writes nothing, for a shaft that was never formed,
 /// by its position; and if `form` is neither of Form. No allocation. It writes to the shaft, so no other thread may use
 /// that shaft meanwhile.
 SHAFTCULL_EXPORT void set_form(CompiledShaft& shaft, Form form);
-/// Likewise for all of `shafts`.
+/// The same for all of `shafts`.
 SHAFTCULL_EXPORT void set_form(std::span<CompiledShaft> shafts, Form form);
 
 }  // namespace shaftcull

@@ -185,7 +185,7 @@ std::vector<std::string> code_in(const std::string& text) {
 }
 
 TEST(ReadmeQuestions, AreAskedOnThePageOfKindsAsHere) {
-  const std::vector<std::string> code = code_in(sc::text_of(SHAFTCULL_KINDS_PAGE));
+  const std::vector<std::string> code = code_in(sc::text_of(SHAFTCULL_VOLUMES_PAGE));
   for (const std::string& each : code) EXPECT_TRUE(is_asked_here(each)) << each << " is compiled by no test";
   EXPECT_GE(code.size(), 8U);
 }
