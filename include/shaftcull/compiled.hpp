@@ -168,8 +168,8 @@ SHAFTCULL_EXPORT void set_contact(CompiledShaft& shaft, Contact contact);
 SHAFTCULL_EXPORT void set_contact(std::span<CompiledShaft> shafts, Contact contact);
 
 /// Chooses the form in which a shaft decides whether boxes and spheres are outside. Answers stay the same. Form::planes
-/// is for comparisons with the paper, and slower; pending planes are computed at once. Occlusion, *inside* and triangles
-/// do not depend on the form. Convex hulls have one form and stay as they are.
+/// is for comparisons with the paper, and slower; pending planes are computed at once. Occlusion, *inside* and
+/// triangles do not depend on the form. Convex hulls have one form and stay as they are.
 ///
 /// May be done at any time, and again. Throws InvalidArgument, and writes nothing, for a shaft that was never formed,
 /// by its position; and if `form` is neither of Form. No allocation. It writes to the shaft, so no other thread may use
