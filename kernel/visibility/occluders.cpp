@@ -157,9 +157,14 @@ void add_parts(Addition& addition, std::span<const Vec3> corners, std::span<cons
                                    kernel::counted(part.size(), "corner") + "; it takes " + std::to_string(fewest) +
                                    (most < any_number ? " to " + std::to_string(most) : " or more")));
     }
+    if (!std::all_of(part.begin(), part.end(), is_finite)) {
+      kernel::refuse_bound(noun, i, "has a corner that is not finite");
+    }
+  }
+  for (std::size_t i = 0; i + 1 < first.size(); ++i) {
+    const std::span<const Vec3> part = corners.subspan(first[i], first[i + 1] - first[i]);
     PointBox around;
     for (const Vec3& corner : part) {
-      if (!is_finite(corner)) kernel::refuse_bound(noun, i, "has a corner that is not finite");
       around.add(corner);
       addition.add_point(corner);
     }
@@ -337,9 +342,15 @@ std::size_t Occluders::add_triangles(const TriangleView& triangles, std::span<co
         if (!is_finite(vertex)) kernel::refuse_bound("triangle", i, "is not finite");
       }
     }
-    Addition addition(own());
     const bool has_groups = !first_triangle.empty();
-    if (has_groups) require_parts(first_triangle, triangles.count, "first_triangle", "triangles");
+    if (has_groups) {
+      require_parts(first_triangle, triangles.count, "first_triangle", "triangles");
+      for (std::size_t i = 0; i + 1 < first_triangle.size(); ++i) {
+        if (first_triangle[i] != first_triangle[i + 1]) continue;
+        kernel::fail(InvalidArgument("group " + std::to_string(i) + " of triangles is empty"));
+      }
+    }
+    Addition addition(own());
     std::vector<std::uint32_t> order;
     if (!has_groups && triangles.count != 0) order = in_tree_order(triangles);
     const auto add_group = [&](std::size_t first, std::size_t end) {
@@ -360,12 +371,7 @@ std::size_t Occluders::add_triangles(const TriangleView& triangles, std::span<co
       addition.add(around.box);
     };
     if (has_groups) {
-      for (std::size_t i = 0; i + 1 < first_triangle.size(); ++i) {
-        if (first_triangle[i] == first_triangle[i + 1]) {
-          kernel::fail(InvalidArgument("group " + std::to_string(i) + " of triangles is empty"));
-        }
-        add_group(first_triangle[i], first_triangle[i + 1]);
-      }
+      for (std::size_t i = 0; i + 1 < first_triangle.size(); ++i) add_group(first_triangle[i], first_triangle[i + 1]);
     } else {
       for (std::size_t i = 0; i < order.size(); i += group_triangles) {
         add_group(i, std::min(order.size(), i + group_triangles));
