@@ -75,8 +75,8 @@ bool reaches_out(const ShaftData& shaft, const float* const* stream) noexcept {
   return false;
 }
 
-/// Whether all corners of a box are in a shaft with closed contact. Then the box is inside, since a shaft is convex. One
-/// test of eight points costs less than the joining planes of the shaft.
+/// Whether all corners of a box are in a shaft with closed contact. Then the box is inside, since a shaft is convex.
+/// One test of eight points costs less than the joining planes of the shaft.
 template <class Stages>
 bool keeps_corners(const ShaftData& shaft, const float* const* stream) noexcept {
   float coordinate[3][8];
