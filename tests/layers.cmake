@@ -17,15 +17,15 @@ set(quick_tests
   architecture check_steps compilers dependencies documents "documents[.](links|tuning)" fetches first_command headers "packages[.](licences|spdx)"
   symbols[.].* units)
 set(ci_tests
-  allocation.* "calls[.](scalar|aarch64)" many[.].* many_tree[.].* options[.].* tree[.].* tree_building[.].* out_of_memory tree_memory visibility_memory
-  "cli([.].*)?" "batch|batch[.](model|numpy|ranks|trees|sees)" budget[.].* docs "docs[.]links" "c([._].*)?" python[.].* "packages[.](conan|vcpkg)" report hash.best
+  allocation.* calls[.]aarch64 "many[.]planted_race[.].*" many_tree[.].* tree[.].* tree_building[.].* out_of_memory tree_memory visibility_memory
+  "cli([.].*)?" "batch|batch[.](model|numpy|ranks|trees|sees)" budget[.].* docs "docs[.]links" "c([._].*)?" python[.].* "packages[.](conan|vcpkg)" hash.best
   "emulated[.][^.]*[.]isa"
   "embedding[.](neon|big_endian|strict|no_build_type|refused|cross|package)")
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=[a-z,]*address")
   # Where memory is touched.
   set(quick_tests "")
   set(ci_tests
-    "(calls|many|many_tree|options|tree)[.]${shaftcull_best_set}" tree_building[.].* visibility[.].* streams "c|c_memory" fuzz_corpus)
+    "(calls|many|many_tree|tree)[.]${shaftcull_best_set}" tree_building[.].* visibility[.].* streams "c|c_memory" fuzz_corpus)
 elseif(CMAKE_CXX_FLAGS MATCHES "-fsanitize=[a-z,]*thread")
   # Where threads are, which share work in one way on all instruction sets.
   set(quick_tests "")
