@@ -791,7 +791,7 @@ SHAFTCULL_API shaftcull_status shaftcull_occluders_add_polygons(shaftcull_occlud
 
 /// Adds triangles in groups, one occluder per group: group i has the triangles first_triangle[i] to before
 /// first_triangle[i + 1], which are group_count + 1 numbers. With NULL and 0 the library makes groups of at most 32
-/// neighbours.
+/// triangles that are near each other and face alike.
 SHAFTCULL_API shaftcull_status shaftcull_occluders_add_triangles(shaftcull_occluders* occluders,
                                                                  const shaftcull_source* triangles,
                                                                  const uint64_t* first_triangle, uint64_t group_count,

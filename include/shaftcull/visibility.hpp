@@ -135,7 +135,8 @@ class SHAFTCULL_EXPORT Occluders {
   /// corner forms with its other edges. Convexity is not checked.
   std::size_t add_polygons(std::span<const Vec3> corners, std::span<const std::size_t> first_corner);
   /// Adds triangles, in groups. Group i has triangles [first_triangle[i] … first_triangle[i + 1]): whole objects are
-  /// good groups. If `first_triangle` is empty, the library forms groups of at most 32 neighbours, O(n log n).
+  /// good groups. If `first_triangle` is empty, the library forms groups of at most 32 triangles that are near each
+  /// other and face alike, O(n log n).
   /// Triangles make no pair `occluded`.
   std::size_t add_triangles(const TriangleView& triangles, std::span<const std::size_t> first_triangle = {});
 

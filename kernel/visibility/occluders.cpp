@@ -8,18 +8,15 @@
 #include <tuple>
 
 #include "shaftcull/solids.hpp"
-#include "shaftcull/tree.hpp"
 #include "shaftcull/visibility.hpp"
 #include "support/arguments.hpp"
 #include "support/fail.hpp"
 #include "support/float_environment.hpp"
 #include "support/text.hpp"
+#include "visibility/triangle_groups.hpp"
 
 namespace shaftcull {
 namespace {
-
-/// Most triangles in a group that the library makes.
-constexpr std::size_t group_triangles = 32;
 
 constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();
 
@@ -189,20 +186,6 @@ void put_extremes_first(std::vector<Vec3>& vertices) {
   }
 }
 
-/// Groups of neighbours: the triangles in the order of a tree over their boxes.
-std::vector<std::uint32_t> in_tree_order(const TriangleView& triangles) {
-  std::vector<Box> boxes(triangles.count);
-  for (std::size_t i = 0; i != triangles.count; ++i) {
-    PointBox around;
-    for (const Vec3& vertex : triangles[i].vertex) around.add(vertex);
-    boxes[i] = around.box;
-  }
-  const BoxTree tree{std::span<const Box>(boxes)};
-  std::vector<std::uint32_t> order(triangles.count);
-  for (std::size_t i = 0; i != order.size(); ++i) order[i] = static_cast<std::uint32_t>(tree.order()[i]);
-  return order;
-}
-
 }  // namespace
 
 namespace {
@@ -342,8 +325,11 @@ std::size_t Occluders::add_triangles(const TriangleView& triangles, std::span<co
         if (!is_finite(vertex)) kernel::refuse_bound("triangle", i, "is not finite");
       }
     }
-    const bool has_groups = !first_triangle.empty();
-    if (has_groups) {
+    kernel::TriangleGroups found;
+    if (first_triangle.empty()) {
+      found = kernel::triangle_groups(triangles);
+      first_triangle = found.first;
+    } else {
       require_parts(first_triangle, triangles.count, "first_triangle", "triangles");
       for (std::size_t i = 0; i + 1 < first_triangle.size(); ++i) {
         if (first_triangle[i] != first_triangle[i + 1]) continue;
@@ -351,13 +337,11 @@ std::size_t Occluders::add_triangles(const TriangleView& triangles, std::span<co
       }
     }
     Addition addition(own());
-    std::vector<std::uint32_t> order;
-    if (!has_groups && triangles.count != 0) order = in_tree_order(triangles);
-    const auto add_group = [&](std::size_t first, std::size_t end) {
+    for (std::size_t g = 0; g + 1 < first_triangle.size(); ++g) {
       PointBox around;
       std::vector<Vec3> vertices;
-      for (std::size_t i = first; i != end; ++i) {
-        const std::size_t triangle = has_groups ? i : order[i];
+      for (std::size_t i = first_triangle[g]; i != first_triangle[g + 1]; ++i) {
+        const std::size_t triangle = found.order.empty() ? i : found.order[i];
         addition.add_triangle(static_cast<std::uint32_t>(triangle));
         for (const Vec3& vertex : triangles[triangle].vertex) {
           around.add(vertex);
@@ -369,13 +353,6 @@ std::size_t Occluders::add_triangles(const TriangleView& triangles, std::span<co
       put_extremes_first(vertices);
       for (const Vec3& vertex : vertices) addition.add_point(vertex);
       addition.add(around.box);
-    };
-    if (has_groups) {
-      for (std::size_t i = 0; i + 1 < first_triangle.size(); ++i) add_group(first_triangle[i], first_triangle[i + 1]);
-    } else {
-      for (std::size_t i = 0; i < order.size(); i += group_triangles) {
-        add_group(i, std::min(order.size(), i + group_triangles));
-      }
     }
     return addition.keep();
   });

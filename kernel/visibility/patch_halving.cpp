@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace shaftcull::kernel {
@@ -160,6 +161,15 @@ class Bins {
 PatchExtent PatchExtent::none() noexcept {
   const FourFloats none = FourFloats::all(-infinity);
   return {none, none, none};
+}
+
+PatchExtent extent_of(const Box& box, const double (&normal)[3]) noexcept {
+  const double length = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+  const double per_length = length > 0 ? 1 / length : 0;
+  float n[3];
+  for (std::size_t k = 0; k != 3; ++k) n[k] = static_cast<float>(normal[k] * per_length);
+  return {FourFloats::of(-box.lo[0], -box.lo[1], -box.lo[2], -n[0]),
+          FourFloats::of(box.hi[0], box.hi[1], box.hi[2], n[0]), FourFloats::of(n[1], n[2], -n[1], -n[2])};
 }
 
 PatchExtent extent_of(std::span<const PatchItem> items) noexcept {

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "shaftcull/bounds.hpp"
 #include "simd/baseline_four_floats.hpp"
 #include "support/exact_floats.hpp"
 
@@ -38,6 +39,8 @@ struct PatchItem {
   std::uint32_t index;
 };
 
+/// Of a box that faces along a normal of any length. One of length 0 is taken as it is.
+PatchExtent extent_of(const Box& box, const double (&normal)[3]) noexcept;
 PatchExtent extent_of(std::span<const PatchItem> items) noexcept;
 
 /// What it costs to have a group: how much there is that it is compared with. Costs can be compared with those by the

@@ -44,18 +44,6 @@ std::vector<Part> parts_of(std::span<PatchItem> items, std::size_t first, std::s
   return parts;
 }
 
-/// The box of a patch and its unit normal, if it has a plane.
-PatchExtent extent_of(const Box& box, const Plane* plane) noexcept {
-  float n[3] = {0, 0, 0};
-  if (plane != nullptr) {
-    const auto [x, y, z] = plane->normal;
-    const double per_length = 1 / std::sqrt(double{x} * x + double{y} * y + double{z} * z);
-    for (std::size_t k = 0; k != 3; ++k) n[k] = static_cast<float>(plane->normal[k] * per_length);
-  }
-  return {FourFloats::of(-box.lo[0], -box.lo[1], -box.lo[2], -n[0]),
-          FourFloats::of(box.hi[0], box.hi[1], box.hi[2], n[0]), FourFloats::of(n[1], n[2], -n[1], -n[2])};
-}
-
 /// The least, or the largest, of `count` floats by better(), which is minimum() or maximum().
 template <class Better>
 float best_of(const float* from, std::size_t count, const Better& better) noexcept {
@@ -87,7 +75,8 @@ PatchTree::PatchTree(const BoxView& boxes, std::span<const Plane> planes) {
   std::vector<PatchItem> items(boxes.count);
   for (std::size_t i = 0; i != boxes.count; ++i) {
     const Box box = boxes[i];
-    items[i] = {extent_of(box, has_planes ? &planes[i] : nullptr), static_cast<std::uint32_t>(i)};
+    const Vec3 normal = has_planes ? planes[i].normal : Vec3{};
+    items[i] = {extent_of(box, {normal[0], normal[1], normal[2]}), static_cast<std::uint32_t>(i)};
     for (std::size_t k = 0; k != 3; ++k) {
       largest_coordinate_ = std::max({largest_coordinate_, std::fabs(box.lo[k]), std::fabs(box.hi[k])});
     }
