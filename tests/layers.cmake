@@ -17,7 +17,7 @@ set(quick_tests
   architecture check_steps compilers dependencies documents "documents[.](links|tuning)" fetches first_command headers "packages[.](licences|spdx)"
   symbols[.].* units)
 set(ci_tests
-  allocation.* calls[.]aarch64 "many[.]planted_race[.].*" many_tree[.].* tree[.].* tree_building[.].* out_of_memory tree_memory visibility_memory
+  allocation.* calls[.]aarch64 many_tree[.].* tree[.].* tree_building[.].* out_of_memory tree_memory visibility_memory
   "cli([.].*)?" "batch|batch[.](model|numpy|ranks|trees|sees)" budget[.].* docs "docs[.]links" "c([._].*)?" python[.].* "packages[.](conan|vcpkg)" hash.best
   "emulated[.][^.]*[.]isa"
   "embedding[.](neon|big_endian|strict|no_build_type|refused|cross|package)")
