@@ -5,9 +5,6 @@ import {made, withHandles} from './held.js';
 import {bitWords, optionsOfMany, optionsOfOne, queryOf} from './query.js';
 import {allShafts, oneShaft, usualTest} from './shafts.js';
 
-const listsInfoBytes = 16;  // src/layout.cpp
-const contactBytes = 16;
-
 const words32 = (bits) => Math.ceil(bits / 32);
 
 /** Where parts of so many bytes begin. */
@@ -63,11 +60,12 @@ class Asked {
   /** One contact per shaft, or undefined. */
   contacts(query) {
     const module = this.#module;
-    const contacts = module.resultsOf(contactBytes * this.#count);
+    const {bytes} = module.structs.contact_found;
+    const contacts = module.resultsOf(bytes * this.#count);
     this.#call(query, this.#range, contacts);
-    return begins(contacts, contactBytes, this.#count).map((contact) => {
-      const index = module.position(contact);
-      return index === undefined ? undefined : {index, time: module.view.getFloat32(contact + 8, true)};
+    return begins(contacts, bytes, this.#count).map((contact) => {
+      const {index, time, found} = module.read('contact_found', contact);
+      return found ? {index, time} : undefined;
     });
   }
 
@@ -77,11 +75,10 @@ class Asked {
     return withHandles(module, (make) => module.scratch((scratch) => {
       const all = Array.from({length: outputs}, () => make('shaftcull_lists_free', 'shaftcull_lists_create'));
       this.#call(query, this.#range, ...all);
-      const info = scratch.zeros(listsInfoBytes);
       return all.map((lists) => {
-        module.call('shaftcull_lists_describe', lists, info);
-        const offsets = module.numbers(module.word(info + 8), module.number(info) + 1);
-        return {offsets, indices: module.words(module.word(info + 12), offsets[offsets.length - 1])};
+        const info = scratch.described('lists_info', 'shaftcull_lists_describe', lists);
+        const offsets = module.numbers(info.offsets, info.count + 1);
+        return {offsets, indices: module.words(info.indices, offsets[info.count])};
       });
     }));
   }
@@ -118,7 +115,7 @@ class Asked {
   #call(query, shafts, ...values) {
     const [module, bounds] = [this.#module, this.#bounds];
     module.scratch((scratch) => {
-      const options = queryOf(module, scratch, this.#options, this.#count, bounds.length, this.#test);
+      const options = queryOf(scratch, this.#options, this.#count, bounds.length, this.#test);
       module.call(query, ...shafts, bounds.handle, options, ...values);
     });
   }

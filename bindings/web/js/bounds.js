@@ -14,8 +14,8 @@ export class Bounds extends Held {
   constructor(module, kind, holder, values, indices) {
     let length = 0;
     super(module, 'shaftcull_bounds_free', module.scratch((scratch) => {
-      const source = indices === undefined ? sourceOf(module, scratch, kind, values, kind) :
-                                             meshSource(module, scratch, values, indices);
+      const source = indices === undefined ? sourceOf(scratch, kind, values, kind)
+        : meshSource(scratch, values, indices);
       length = source.count;
       return made(module, holder === 'tree' ? 'shaftcull_tree_create' : 'shaftcull_stream_create', source.pointer);
     }));
@@ -165,7 +165,7 @@ const asTree = (Base) => class extends Base {
   update(values) {
     const {module} = this;
     module.scratch((scratch) => {
-      const source = sourceOf(module, scratch, this.kind, values, this.kind);
+      const source = sourceOf(scratch, this.kind, values, this.kind);
       module.call('shaftcull_bounds_update', this.handle, 0n, source.pointer);
     });
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The instance of WebAssembly: its memory, and calls of the C interface.
 import {ShaftcullError} from './error.js';
+import {structsOf} from './structs.js';
 import {wasi} from './wasi.js';
 
 const maxBytes = 0xffff_ffff;  // malloc would take the rest of a division by one more
@@ -12,7 +13,6 @@ const positionIn = (number) => (BigInt.asIntN(64, number) === -1n ? undefined : 
 export class Module {
   #exports;
   #view;
-  #floats;
   #system = wasi(() => this.view);
   #results = 0;
   #resultBytes = 0;
@@ -24,6 +24,7 @@ export class Module {
     const imports = {shaftcull: {fail}, wasi_snapshot_preview1: module.#system.imports};
     module.#exports = (await WebAssembly.instantiate(compiled, imports)).exports;
     module.#exports._initialize();
+    module.structs = structsOf(module);
     return module;
   }
 
@@ -105,6 +106,14 @@ export class Module {
     return this.view.getUint32(pointer, true);
   }
 
+  /** The fields of a struct, by their names in C. */
+  read(struct, pointer) {
+    const {fields} = this.structs[struct];
+    const values = {};
+    for (const name in fields) values[name] = fields[name].read(this.view, pointer + fields[name].place);
+    return values;
+  }
+
   text(pointer) {
     const bytes = new Uint8Array(this.view.buffer, pointer);
     return new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0)));
@@ -147,6 +156,21 @@ class Scratch {
     this.#pointers.push(pointer);
     new Uint8Array(this.#module.view.buffer, pointer, bytes).fill(0);
     return pointer;
+  }
+
+  /** A struct with these fields; the others are 0. */
+  struct(struct, values = {}) {
+    const {bytes, fields} = this.#module.structs[struct];
+    const pointer = this.zeros(bytes);
+    for (const name in values) fields[name].write(this.#module.view, pointer + fields[name].place, values[name]);
+    return pointer;
+  }
+
+  /** The fields that a function of the C interface writes to a struct, its last argument. */
+  described(struct, name, ...values) {
+    const pointer = this.struct(struct);
+    this.#module.call(name, ...values, pointer);
+    return this.#module.read(struct, pointer);
   }
 
   /** A copy of a Float32Array or Uint32Array. */

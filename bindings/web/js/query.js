@@ -2,12 +2,14 @@
 // The options of questions, as the C interface reads them.
 import {asEnumerator, asIndices, asLimit} from './arguments.js';
 
-const queryBytes = 128;  // src/layout.cpp
-const limitAt = 80;
-const triangleTestAt = 88;
-
-/** Where the pointer to the numbers of an option is; 8 bytes behind it is how many these are. */
-const arraysAt = {exclude: 0, excludeEach: 16, excludeMask: 32, layerMask: 48, only: 64};
+/** Options that are arrays: the fields of shaftcull_query for the numbers, and for how many these are. */
+const arrays = {
+  exclude: ['exclude', 'exclude_count'],
+  excludeEach: ['exclude_each', 'exclude_each_count'],
+  excludeMask: ['exclude_mask', 'exclude_mask_words'],
+  layerMask: ['layer_masks', 'layer_mask_count'],
+  only: ['only', 'only_count'],
+};
 
 const triangleTests = ['exact', 'vertices'];
 export const asTriangleTest = (value) => asEnumerator(value, triangleTests, 'triangleTest');
@@ -51,20 +53,16 @@ function arrayOf(name, value, shafts, bounds) {
  * The query of these options, or NULL if there are none, for so many shafts and bounds. Triangles are tested by
  * `usualTest` if the options do not say how.
  */
-export function queryOf(module, scratch, options, shafts, bounds, usualTest) {
-  const arrays = Object.entries(arraysAt).filter(([name]) => options[name] !== undefined);
+export function queryOf(scratch, options, shafts, bounds, usualTest) {
+  const given = Object.entries(arrays).filter(([name]) => options[name] !== undefined);
   const limit = options.limit === undefined ? 0 : asLimit(options.limit, 'limit');
   const test = asTriangleTest(options.triangleTest ?? usualTest);
-  if (arrays.length === 0 && limit === 0 && test === 0) return 0;
-  const query = scratch.zeros(queryBytes);
-  for (const [name, at] of arrays) {
+  if (given.length === 0 && limit === 0 && test === 0) return 0;
+  const query = {limit, triangle_test: test};
+  for (const [name, [numbers, count]] of given) {
     const array = arrayOf(name, options[name], shafts, bounds);
-    const pointer = scratch.copy(array);  // which may move all memory
-    module.view.setUint32(query + at, pointer, true);
-    const count = name === 'excludeMask' ? array.length / 2 : array.length;  // words of a mask have 64 bits
-    module.view.setBigUint64(query + at + 8, BigInt(count), true);
+    query[numbers] = scratch.copy(array);
+    query[count] = name === 'excludeMask' ? array.length / 2 : array.length;  // words of a mask have 64 bits
   }
-  module.view.setBigUint64(query + limitAt, BigInt(limit), true);
-  module.view.setUint32(query + triangleTestAt, test, true);
-  return query;
+  return scratch.struct('query', query);
 }

@@ -8,8 +8,6 @@ import {kindOf, sourceOf} from './sources.js';
 export const contacts = ['closed', 'open'];
 const answers = ['outside', 'overlap', 'inside'];
 const depths = ['zero_to_one', 'minus_one_to_one'];
-const shaftInfoBytes = 68;  // src/layout.cpp
-const hullInfoBytes = 48;
 const maxPlanes = 8;
 
 /** A shaft of an array, or a hull, which can be asked about single bounds. */
@@ -51,10 +49,9 @@ export class Shafts extends Volume {
     if (!this.#between) throw new TypeError('only shafts between two boxes have joining planes');
     const {module} = this;
     return module.scratch((scratch) => {
-      const info = scratch.zeros(shaftInfoBytes);
-      module.call('shaftcull_shafts_describe', this.handle, BigInt(at), info);
+      const {a, b} = scratch.described('shafts_info', 'shaftcull_shafts_describe', this.handle, BigInt(at));
       const planes = scratch.zeros(16 * maxPlanes);
-      return module.floats(planes, 4 * module.call('joining_planes', info, info + 24, planes));
+      return module.floats(planes, 4 * module.call('joining_planes', a, b, planes));
     });
   }
 
@@ -83,10 +80,9 @@ export class Hull extends Volume {
     this.#asked = new Shafts(module, 1, false);
     module.call('shaftcull_shafts_set_hull', this.#asked.handle, 0n, handle);
     module.scratch((scratch) => {
-      const info = scratch.zeros(hullInfoBytes);
-      module.call('shaftcull_hull_describe', handle, info);
-      this.#points = module.floats(module.word(info + 16), 3 * module.number(info));
-      this.#directions = module.floats(module.word(info + 20), 3 * module.number(info + 8));
+      const info = scratch.described('hull_info', 'shaftcull_hull_describe', handle);
+      this.#points = module.floats(info.points, 3 * info.point_count);
+      this.#directions = module.floats(info.directions, 3 * info.direction_count);
     });
   }
 
@@ -174,7 +170,7 @@ function formed(module, count, isBetween, contact, form) {
 }
 
 /** Boxes and pairs of them as arguments of the C interface: how many shafts they make, and write(scratch). */
-function pairsOf(module, a, b, names, options) {
+function pairsOf(a, b, names, options) {
   let [boxesA, boxesB] = [asFloats(a, 6, names[0]), asFloats(b, 6, names[1])];
   const pairs = options.pairs === undefined ? undefined : asIndices(options.pairs, 'pairs');
   if (pairs === undefined) [boxesA, boxesB] = aligned(boxesA, 6, names[0], boxesB, 6, names[1]);
@@ -182,13 +178,10 @@ function pairsOf(module, a, b, names, options) {
     throw new TypeError(`pairs has ${pairs.length} numbers, which is no multiple of 2`);
   }
   const write = (scratch) => {
-    const sourceA = sourceOf(module, scratch, 'boxes', boxesA, names[0]);
-    const sourceB = sourceOf(module, scratch, 'boxes', boxesB, names[1]);
+    const sourceA = sourceOf(scratch, 'boxes', boxesA, names[0]);
+    const sourceB = sourceOf(scratch, 'boxes', boxesB, names[1]);
     const [floats, planeCount] = planesFor(options.planes, sourceA.count);
-    const planes = scratch.zeros(32);
-    const pointer = scratch.copy(floats);  // which may move all memory
-    module.view.setUint32(planes, pointer, true);
-    module.view.setBigUint64(planes + 8, planeCount, true);
+    const planes = scratch.struct('batch_planes', {a: scratch.copy(floats), a_count: planeCount});
     const named = pairs === undefined ? 0 : scratch.copy(pairs);
     return {sources: [sourceA.pointer, sourceB.pointer, named], planes};
   };
@@ -198,7 +191,7 @@ function pairsOf(module, a, b, names, options) {
 export function between(module, a, b, options = {}) {
   checkOptions(options, ['pairs', 'contact', 'planes']);
   const contact = asContact(options);
-  const {count, write} = pairsOf(module, a, b, ['a', 'b'], options);
+  const {count, write} = pairsOf(a, b, ['a', 'b'], options);
   return formed(module, count, true, 0, (range, scratch) => {
     const {sources, planes} = write(scratch);
     module.call('shaftcull_shafts_set_between', ...range, ...sources, planes, contact);
@@ -207,7 +200,7 @@ export function between(module, a, b, options = {}) {
 
 export function shadow(module, lights, occluders, options = {}) {
   checkOptions(options, ['pairs', 'reach', 'contact', 'planes']);
-  const {count, write} = pairsOf(module, lights, occluders, ['lights', 'occluders'], options);
+  const {count, write} = pairsOf(lights, occluders, ['lights', 'occluders'], options);
   return formed(module, count, false, asContact(options), (range, scratch) => {
     const {sources, planes} = write(scratch);
     const reach = options.reach === undefined ? 0 : scratch.copy(asFloatsOf([options.reach], 1, 'reach'));
@@ -220,7 +213,7 @@ function moving(module, make, bodies, vectors, name, options = {}) {
   const [boxes, travels, count] =
       aligned(asFloats(bodies, 6, 'bodies'), 6, 'bodies', asFloats(vectors, 3, name), 3, name);
   return formed(module, count, false, asContact(options), (range, scratch) => {
-    const source = sourceOf(module, scratch, 'boxes', boxes, 'bodies');
+    const source = sourceOf(scratch, 'boxes', boxes, 'bodies');
     const [planes, planeCount] = planesFor(options.planes, count);
     module.call(make, ...range, source.pointer, scratch.copy(travels), scratch.copy(planes), planeCount);
   });

@@ -2,8 +2,6 @@
 // Bounds in the caller's arrays, as the C interface reads them.
 import {asFloats, asIndices} from './arguments.js';
 
-const sourceBytes = 56;  // src/layout.cpp
-
 /** Each kind of bounds: floats each, its constants as bounds and as a source, and the byte of its second part. */
 const kinds = {
   boxes: {floats: 6, bound: 1, kind: 1, second: 12},
@@ -12,28 +10,14 @@ const kinds = {
 };
 const mesh = 5;
 
-/** Writes a source; pointers of parts that the kind does not have are 0. Valid as long as the scratch memory. */
-function written(module, scratch, {kind, count, first, second = 0, stride, indices = 0, vertexCount = 0}) {
-  const pointer = scratch.zeros(sourceBytes);
-  const {view} = module;
-  view.setUint32(pointer, kind, true);
-  view.setBigUint64(pointer + 8, BigInt(count), true);
-  view.setUint32(pointer + 16, first, true);
-  view.setUint32(pointer + 20, second, true);
-  view.setBigUint64(pointer + 24, BigInt(stride), true);
-  view.setUint32(pointer + 32, indices, true);
-  view.setBigUint64(pointer + 40, BigInt(vertexCount), true);
-  return {pointer, count};
-}
-
-/** A source of bounds of a kind, and how many there are. */
-export function sourceOf(module, scratch, name, values, argument) {
+/** A source of bounds of a kind, and how many there are. Valid as long as the scratch memory. */
+export function sourceOf(scratch, name, values, argument) {
   const {floats, kind, second} = kinds[name];
   const array = asFloats(values, floats, argument);
   const first = scratch.copy(array);
-  return written(module, scratch, {
-    kind, count: array.length / floats, first, second: second && first + second, stride: 4 * floats,
-  });
+  const count = array.length / floats;
+  const parts = {first, second: second === undefined ? 0 : first + second};
+  return {pointer: scratch.struct('source', {kind, count, ...parts, stride: 4 * floats}), count};
 }
 
 /** The kind of one bound, by its number of floats: the name, and the constant of the C interface. */
@@ -44,12 +28,11 @@ export function kindOf(floats) {
 }
 
 /** A source of triangles that indices name. */
-export function meshSource(module, scratch, vertices, indices) {
+export function meshSource(scratch, vertices, indices) {
   const points = asFloats(vertices, 3, 'triangles');
   const corners = asIndices(indices, 'indices');
   if (corners.length % 3 !== 0) throw new TypeError(`indices has ${corners.length} numbers, which is no multiple of 3`);
-  return written(module, scratch, {
-    kind: mesh, count: corners.length / 3, first: scratch.copy(points), stride: 12, indices: scratch.copy(corners),
-    vertexCount: points.length / 3,
-  });
+  const count = corners.length / 3;
+  const parts = {first: scratch.copy(points), indices: scratch.copy(corners), vertex_count: points.length / 3};
+  return {pointer: scratch.struct('source', {kind: mesh, count, ...parts, stride: 12}), count};
 }

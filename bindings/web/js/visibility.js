@@ -7,15 +7,10 @@ import {sourceOf} from './sources.js';
 
 const sightNames = ['undecided', 'clear', 'occluded', 'facing_away'];
 const names = ['patches', 'planes', 'patchesB', 'planesB', 'boxes', 'solids', 'triangles', 'contact'];
-const optionBytes = 40;  // src/layout.cpp
-const batchBytes = 40;
-const countBytes = 32;
-const patchesInfoBytes = 16;
-const occluderInfoBytes = 40;
-const productWords = 5;
+const productWords = 5;  // of shaftcull_pair_block
 
-function patchesOf(module, scratch, make, boxes, planes, name) {
-  const source = sourceOf(module, scratch, 'boxes', boxes, name);
+function patchesOf(scratch, make, boxes, planes, name) {
+  const source = sourceOf(scratch, 'boxes', boxes, name);
   const floats = asFloats(planes ?? [], 4, 'planes');
   if (planes && floats.length !== 4 * source.count) {
     const count = floats.length / 4;
@@ -27,7 +22,7 @@ function patchesOf(module, scratch, make, boxes, planes, name) {
 
 function occludersOf(module, scratch, make, scene) {
   const occluders = make('shaftcull_occluders_free', 'shaftcull_occluders_create');
-  const source = (kind, name) => sourceOf(module, scratch, kind, scene[name], name).pointer;
+  const source = (kind, name) => sourceOf(scratch, kind, scene[name], name).pointer;
   if (scene.boxes) module.call('shaftcull_occluders_add_boxes', occluders, source('boxes', 'boxes'), 0);
   if (scene.solids) module.call('shaftcull_occluders_add_solids', occluders, source('boxes', 'solids'), 0);
   if (scene.triangles) {
@@ -38,19 +33,17 @@ function occludersOf(module, scratch, make, scene) {
 
 /** The triangles of the scene in each occluder: none in boxes, which come first, and those of a group in the others. */
 function trianglesOf(module, scratch, occluders, boxes) {
-  const info = scratch.zeros(occluderInfoBytes);
   const none = new Uint32Array();
   return Array.from({length: Number(module.call('shaftcull_occluders_count', occluders))}, (_, occluder) => {
     if (occluder < boxes) return none;
-    module.call('shaftcull_occluders_describe', occluders, BigInt(occluder), info);
-    return module.words(module.word(info), module.number(info + 8));
+    const info = scratch.described('occluder_info', 'shaftcull_occluders_describe', occluders, BigInt(occluder));
+    return module.words(info.triangles, info.triangle_count);
   });
 }
 
 function orderOf(module, scratch, patches) {
-  const info = scratch.zeros(patchesInfoBytes);
-  module.call('shaftcull_patches_describe', patches, info);
-  return module.words(module.word(info + 8), module.number(info));
+  const {order, count} = scratch.described('patches_info', 'shaftcull_patches_describe', patches);
+  return module.words(order, count);
 }
 
 export function visibility(module, scene) {
@@ -58,13 +51,12 @@ export function visibility(module, scene) {
   if (scene.planesB && !scene.patchesB) throw new TypeError('there are planesB, but no patchesB');
   const contact = asEnumerator(scene.contact ?? 'open', contacts, 'contact');
   return withHandles(module, (make) => module.scratch((scratch) => {
-    const a = patchesOf(module, scratch, make, scene.patches, scene.planes, 'patches');
+    const a = patchesOf(scratch, make, scene.patches, scene.planes, 'patches');
     const two = Boolean(scene.patchesB);
-    const b = two ? patchesOf(module, scratch, make, scene.patchesB, scene.planesB, 'patchesB') : 0;
+    const b = two ? patchesOf(scratch, make, scene.patchesB, scene.planesB, 'patchesB') : 0;
     const occluders = occludersOf(module, scratch, make, scene);
-    const options = scratch.zeros(optionBytes);
-    module.call('shaftcull_default_visibility_options', options);
-    module.view.setUint32(options + 8, contact, true);
+    const defaults = scratch.described('visibility_options', 'shaftcull_default_visibility_options');
+    const options = scratch.struct('visibility_options', {...defaults, contact});
     const result = make('shaftcull_visibility_result_free', 'shaftcull_collect_visibility', a, b, occluders, options);
     const orderA = orderOf(module, scratch, a);
     const boxes = ((scene.boxes?.length ?? 0) + (scene.solids?.length ?? 0)) / 6;
@@ -75,16 +67,15 @@ export function visibility(module, scene) {
 
 class Visibility {
   constructor(module, scratch, result, orderA, orderB, triangles) {
-    const batch = scratch.zeros(batchBytes);
-    const counts = scratch.zeros(countBytes);
-    module.call('shaftcull_visibility_result_describe', result, batch, counts);
-    const numbers = module.numbers(counts, sightNames.length);
-    this.counts = Object.fromEntries(sightNames.map((name, i) => [name, numbers[i]]));
+    const [into, counts] = [scratch.struct('sight_batch'), scratch.struct('sight_counts')];
+    module.call('shaftcull_visibility_result_describe', result, into, counts);
+    const batch = module.read('sight_batch', into);
+    this.counts = module.read('sight_counts', counts);
     this.orderA = orderA;
     this.orderB = orderB;
     this.triangles = triangles;
-    this.#readProducts(module, module.word(batch), module.number(batch + 8));
-    this.#readUndecided(module, batch + 16);
+    this.#readProducts(module, batch.products, batch.product_count);
+    this.#readUndecided(module, module.read('undecided_pairs', batch.undecided));
   }
 
   pairs(sight) {
@@ -114,10 +105,9 @@ class Visibility {
     });
   }
 
-  #readUndecided(module, undecided) {
-    const count = module.number(undecided + 8);
-    this.undecided = module.words(module.word(undecided), 2 * count);
-    this.offsets = count === 0 ? new Float64Array(1) : module.numbers(module.word(undecided + 16), count + 1);
-    this.candidates = module.words(module.word(undecided + 20), this.offsets[count]);
+  #readUndecided(module, {pairs, count, first_candidate: offsets, candidates}) {
+    this.undecided = module.words(pairs, 2 * count);
+    this.offsets = count === 0 ? new Float64Array(1) : module.numbers(offsets, count + 1);
+    this.candidates = module.words(candidates, this.offsets[count]);
   }
 }

@@ -1,90 +1,54 @@
 // SPDX-License-Identifier: MIT
-// The places of fields in structs, on which the JavaScript relies.
+// The structs of the C interface, for js/structs.js, and the constants that JavaScript has by hand.
 #include <cstddef>
+#include <cstdint>
+#include <type_traits>
 
 #include "shaftcull.h"
 
 namespace {
 
-static_assert(sizeof(void*) == 4);
+struct Entry {
+  const char* structure;
+  const char* field;
+  std::uint32_t place;  // of the field
+  std::uint32_t type;   // of the field
+  std::uint32_t bytes;  // of the struct
+};
+static_assert(sizeof(Entry) == 20);
 
-static_assert(sizeof(shaftcull_source) == 56);
-static_assert(offsetof(shaftcull_source, kind) == 0);
-static_assert(offsetof(shaftcull_source, count) == 8);
-static_assert(offsetof(shaftcull_source, first) == 16);
-static_assert(offsetof(shaftcull_source, second) == 20);
-static_assert(offsetof(shaftcull_source, stride) == 24);
-static_assert(offsetof(shaftcull_source, indices) == 32);
-static_assert(offsetof(shaftcull_source, vertex_count) == 40);
-static_assert(SHAFTCULL_SOURCE_BOXES == 1 && SHAFTCULL_SOURCE_SPHERES == 3 && SHAFTCULL_SOURCE_TRIANGLES == 4);
-static_assert(SHAFTCULL_SOURCE_MESH == 5);
-static_assert(SHAFTCULL_BOXES == 1 && SHAFTCULL_SPHERES == 2 && SHAFTCULL_TRIANGLES == 3);
-static_assert(SHAFTCULL_OUTSIDE == 0 && SHAFTCULL_OVERLAP == 1 && SHAFTCULL_INSIDE == 2);
+// The position of a type in js/structs.js.
+template <class T>
+constexpr std::uint32_t type_of() {
+  if (std::is_pointer_v<T> || std::is_same_v<T, std::uint32_t>) return 1;
+  if (std::is_same_v<T, std::uint64_t>) return 2;
+  return std::is_same_v<T, float> ? 3 : 0;
+}
+
+#define FIELD(structure, field)                                                                                   \
+  {#structure, #field, offsetof(shaftcull_##structure, field), type_of<decltype(shaftcull_##structure::field)>(), \
+   sizeof(shaftcull_##structure)},
+constexpr Entry entries[] = {
+#include "fields.inc"  // which CMakeLists.txt makes of shaftcull.h
+    {}};
+
+// JavaScript writes and reads arrays of these.
 static_assert(sizeof(shaftcull_box) == 24 && offsetof(shaftcull_box, hi) == 12);
 static_assert(sizeof(shaftcull_sphere) == 16 && offsetof(shaftcull_sphere, radius) == 12);
-static_assert(sizeof(shaftcull_triangle) == 36);
-
-static_assert(sizeof(shaftcull_hull_info) == 48);
-static_assert(offsetof(shaftcull_hull_info, point_count) == 0);
-static_assert(offsetof(shaftcull_hull_info, direction_count) == 8);
-static_assert(offsetof(shaftcull_hull_info, points) == 16);
-static_assert(offsetof(shaftcull_hull_info, directions) == 20);
-
-static_assert(sizeof(shaftcull_shafts_info) == 68);
-static_assert(offsetof(shaftcull_shafts_info, a) == 0);
-static_assert(offsetof(shaftcull_shafts_info, b) == 24);
-
-static_assert(sizeof(shaftcull_query) == 128);
-static_assert(offsetof(shaftcull_query, exclude) == 0);
-static_assert(offsetof(shaftcull_query, exclude_count) == 8);
-static_assert(offsetof(shaftcull_query, exclude_each) == 16);
-static_assert(offsetof(shaftcull_query, exclude_each_count) == 24);
-static_assert(offsetof(shaftcull_query, exclude_mask) == 32);
-static_assert(offsetof(shaftcull_query, exclude_mask_words) == 40);
-static_assert(offsetof(shaftcull_query, layer_masks) == 48);
-static_assert(offsetof(shaftcull_query, layer_mask_count) == 56);
-static_assert(offsetof(shaftcull_query, only) == 64);
-static_assert(offsetof(shaftcull_query, only_count) == 72);
-static_assert(offsetof(shaftcull_query, limit) == 80);
-static_assert(offsetof(shaftcull_query, triangle_test) == 88);
-static_assert(SHAFTCULL_TRIANGLES_EXACT == 0 && SHAFTCULL_TRIANGLES_BY_VERTICES == 1);
-
-static_assert(sizeof(shaftcull_batch_planes) == 32);
-static_assert(offsetof(shaftcull_batch_planes, a_count) == 8);
-
 static_assert(sizeof(shaftcull_kept_counts) == 16 && offsetof(shaftcull_kept_counts, inside) == 8);
+static_assert(sizeof(shaftcull_pair_block) == 20 && offsetof(shaftcull_pair_block, sight) == 16);
 
-static_assert(sizeof(shaftcull_contact_found) == 16);
-static_assert(offsetof(shaftcull_contact_found, index) == 0);
-static_assert(offsetof(shaftcull_contact_found, time) == 8);
-
-static_assert(sizeof(shaftcull_lists_info) == 16);
-static_assert(offsetof(shaftcull_lists_info, offsets) == 8);
-static_assert(offsetof(shaftcull_lists_info, indices) == 12);
-
-static_assert(sizeof(shaftcull_patches_info) == 16);
-static_assert(offsetof(shaftcull_patches_info, count) == 0);
-static_assert(offsetof(shaftcull_patches_info, order) == 8);
-
-static_assert(sizeof(shaftcull_occluder_info) == 40);
-static_assert(offsetof(shaftcull_occluder_info, triangles) == 0);
-static_assert(offsetof(shaftcull_occluder_info, triangle_count) == 8);
-
-static_assert(sizeof(shaftcull_visibility_options) == 40);
-static_assert(offsetof(shaftcull_visibility_options, contact) == 8);
-
-static_assert(sizeof(shaftcull_sight_counts) == 32);
-static_assert(offsetof(shaftcull_sight_counts, clear) == 8);
-static_assert(offsetof(shaftcull_sight_counts, occluded) == 16);
-static_assert(offsetof(shaftcull_sight_counts, facing_away) == 24);
-
-static_assert(sizeof(shaftcull_pair_block) == 20);
-
-static_assert(offsetof(shaftcull_sight_batch, product_count) == 8);
-static_assert(offsetof(shaftcull_sight_batch, undecided) == 16);
-static_assert(sizeof(shaftcull_undecided_pairs) == 24);
-static_assert(offsetof(shaftcull_undecided_pairs, count) == 8);
-static_assert(offsetof(shaftcull_undecided_pairs, first_candidate) == 16);
-static_assert(offsetof(shaftcull_undecided_pairs, candidates) == 20);
+static_assert(SHAFTCULL_BOXES == 1 && SHAFTCULL_SPHERES == 2 && SHAFTCULL_TRIANGLES == 3);
+static_assert(SHAFTCULL_SOURCE_BOXES == 1 && SHAFTCULL_SOURCE_SPHERES == 3 && SHAFTCULL_SOURCE_TRIANGLES == 4);
+static_assert(SHAFTCULL_SOURCE_MESH == 5);
+static_assert(SHAFTCULL_OUTSIDE == 0 && SHAFTCULL_OVERLAP == 1 && SHAFTCULL_INSIDE == 2);
+static_assert(SHAFTCULL_CONTACT_CLOSED == 0 && SHAFTCULL_CONTACT_OPEN == 1);
+static_assert(SHAFTCULL_TRIANGLES_EXACT == 0 && SHAFTCULL_TRIANGLES_BY_VERTICES == 1);
+static_assert(SHAFTCULL_DEPTH_ZERO_TO_ONE == 0 && SHAFTCULL_DEPTH_MINUS_ONE_TO_ONE == 1);
+static_assert(SHAFTCULL_SIGHT_UNDECIDED == 0 && SHAFTCULL_SIGHT_CLEAR == 1 && SHAFTCULL_SIGHT_OCCLUDED == 2 &&
+              SHAFTCULL_SIGHT_FACING_AWAY == 3);
 
 }  // namespace
+
+// Returns all entries. The last one has no struct.
+extern "C" [[clang::export_name("structs")]] const void* structs() { return entries; }
