@@ -65,6 +65,15 @@ export function asEnumerator(value, names, name) {
   return position;
 }
 
+const depths = ['zero_to_one', 'minus_one_to_one'];
+
+/** The rows of a view-projection matrix that is given column after column, and which depths are in view. */
+export function asView(matrix, depth) {
+  const columns = asFloatsOf(matrix, 16, 'matrix');
+  const rows = columns.map((_, i) => columns[4 * (i % 4) + Math.floor(i / 4)]);
+  return {rows, range: asEnumerator(depth, depths, 'depth')};
+}
+
 /** An integer from 0 to before `end`. */
 export function asPosition(value, end, name) {
   if (end === 0) throw new RangeError('there are no shafts to ask');
@@ -74,10 +83,10 @@ export function asPosition(value, end, name) {
   return value;
 }
 
-/** An integer from 1 to 2³² − 1. */
-export function asLimit(value, name) {
-  if (!Number.isInteger(value) || value < 1 || value > 0xffff_ffff) {
-    throw new RangeError(`${name} = ${shown(value)} is no integer from 1 to 2^32 - 1`);
+/** An integer from `least` to 2³² − 1. */
+export function asInteger(value, least, name) {
+  if (!Number.isInteger(value) || value < least || value > 0xffff_ffff) {
+    throw new RangeError(`${name} = ${shown(value)} is no integer from ${least} to 2^32 - 1`);
   }
   return value;
 }

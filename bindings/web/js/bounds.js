@@ -1,26 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Bounds in streams and trees, and queries about them.
-import {asIndices, checkOptions} from './arguments.js';
+import {asIndices, asInteger, checkOptions} from './arguments.js';
 import {many, one} from './asked.js';
 import {Held, made} from './held.js';
 import {oneShaft} from './shafts.js';
-import {meshSource, sourceOf} from './sources.js';
+import {boundsSource, kindName} from './sources.js';
+
+/** The result of use(info), of a shaftcull_bounds_info. */
+const describe = ({module, handle}, use) =>
+    module.scratch((scratch) => use(scratch.described('bounds_info', 'shaftcull_bounds_describe', handle)));
 
 /** Bounds of all kinds. */
-export class Bounds extends Held {
-  #kind;
-
-  /** A kind is 'boxes', 'spheres' or 'triangles', a holder 'stream' or 'tree'. */
-  constructor(module, kind, holder, values, indices) {
-    let length = 0;
-    super(module, 'shaftcull_bounds_free', module.scratch((scratch) => {
-      const source = indices === undefined ? sourceOf(scratch, kind, values, kind)
-        : meshSource(scratch, values, indices);
-      length = source.count;
-      return made(module, holder === 'tree' ? 'shaftcull_tree_create' : 'shaftcull_stream_create', source.pointer);
-    }));
-    this.length = length;
-    this.#kind = kind;
+class Bounds extends Held {
+  constructor(module, handle) {
+    super(module, 'shaftcull_bounds_free', handle);
+    [this.length, this.kind] = describe(this, ({count, kind}) => [count, kindName(kind)]);
   }
 
   cull(shaft, options) {
@@ -101,8 +95,12 @@ export class Bounds extends Held {
     this.module.call('shaftcull_bounds_set_layers', this.handle, 0, 0, BigInt(this.length));
   }
 
-  get kind() {
-    return this.#kind;
+  copy() {
+    return new this.constructor(this.module, made(this.module, 'shaftcull_bounds_copy', this.handle));
+  }
+
+  get memoryBytes() {
+    return describe(this, (info) => info.memory_bytes);
   }
 
   #putIntoLayers(indices, layers) {
@@ -115,7 +113,7 @@ export class Bounds extends Held {
 }
 
 /** What spheres and boxes can be asked, too. */
-export class SphereBounds extends Bounds {
+class SphereBounds extends Bounds {
   firstContact(shaft, options) {
     return one(this, shaft, options).contacts('shaftcull_first_contact')[0];
   }
@@ -138,7 +136,7 @@ export class SphereBounds extends Bounds {
 }
 
 /** What boxes can be asked, too, as solids. */
-export class BoxBounds extends SphereBounds {
+class BoxBounds extends SphereBounds {
   occluded(shaft, options) {
     return one(this, shaft, options).bits('shaftcull_occluded')[0] !== 0;
   }
@@ -160,14 +158,64 @@ export class BoxBounds extends SphereBounds {
   }
 }
 
-/** These under a tree, whose bounds may move. */
+/** These in a stream, which can be overwritten. */
+const asStream = (Base) => class extends Base {
+  update(values, options = {}) {
+    checkOptions(options, this.kind === 'triangles' ? ['first', 'indices'] : ['first']);
+    const first = asInteger(options.first ?? 0, 0, 'first');
+    const {module} = this;
+    module.scratch((scratch) => {
+      const {pointer} = boundsSource(scratch, this.kind, values, options.indices);
+      module.call('shaftcull_bounds_update', this.handle, BigInt(first), pointer);
+    });
+  }
+};
+
+/** These under a tree. */
 const asTree = (Base) => class extends Base {
+  get order() {
+    return describe(this, ({order, count}) => this.module.words(order, count));
+  }
+
+  get box() {
+    return describe(this, ({box}) => this.module.floats(box, 6));
+  }
+};
+
+/** These under a tree, whose bounds may move. */
+const asMovingTree = (Base) => class extends asTree(Base) {
   update(values) {
     const {module} = this;
     module.scratch((scratch) => {
-      const source = sourceOf(scratch, this.kind, values, this.kind);
-      module.call('shaftcull_bounds_update', this.handle, 0n, source.pointer);
+      const {pointer} = boundsSource(scratch, this.kind, values);
+      module.call('shaftcull_bounds_update', this.handle, 0n, pointer);
     });
+  }
+
+  updateSome(indices, values) {
+    const {module} = this;
+    const which = asIndices(indices, 'indices');
+    module.scratch((scratch) => {
+      const {pointer} = boundsSource(scratch, this.kind, values);
+      const count = BigInt(which.length);
+      module.call('shaftcull_tree_update_some', this.handle, scratch.copy(which), count, pointer);
+    });
+  }
+
+  refit() {
+    this.module.call('shaftcull_tree_refit', this.handle);
+  }
+
+  rebuild() {
+    this.module.call('shaftcull_tree_rebuild', this.handle);
+  }
+
+  reorder() {
+    this.module.call('shaftcull_tree_reorder', this.handle);
+  }
+
+  get needsRefit() {
+    return describe(this, (info) => info.needs_refit === 1);
   }
 
   get sahRatio() {
@@ -176,11 +224,17 @@ const asTree = (Base) => class extends Base {
     module.call('shaftcull_tree_sah_ratio', this.handle, ratio);
     return module.view.getFloat64(ratio, true);
   }
-
-  rebuild() {
-    this.module.call('shaftcull_tree_rebuild', this.handle);
-  }
 };
 
-export const SphereTree = asTree(SphereBounds);
-export const BoxTree = asTree(BoxBounds);
+const streams = {boxes: asStream(BoxBounds), spheres: asStream(SphereBounds), triangles: asStream(Bounds)};
+const trees = {boxes: asMovingTree(BoxBounds), spheres: asMovingTree(SphereBounds), triangles: asTree(Bounds)};
+
+const created = (module, Class, create, ...values) => module.scratch(
+    (scratch) => new Class(module, made(module, create, boundsSource(scratch, ...values).pointer)));
+
+/** A stream of 'boxes', 'spheres' or 'triangles'. */
+export const streamOf = (module, kind, values, indices) =>
+    created(module, streams[kind], 'shaftcull_stream_create', kind, values, indices);
+
+export const treeOf = (module, kind, values, indices) =>
+    created(module, trees[kind], 'shaftcull_tree_create', kind, values, indices);

@@ -173,7 +173,7 @@ class Scratch {
     return this.#module.read(struct, pointer);
   }
 
-  /** A copy of a Float32Array or Uint32Array. */
+  /** A copy of a typed array. */
   copy(array) {
     const pointer = this.#module.allocate(array.byteLength);
     this.#pointers.push(pointer);

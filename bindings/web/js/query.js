@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The options of questions, as the C interface reads them.
-import {asEnumerator, asIndices, asLimit} from './arguments.js';
+import {asEnumerator, asIndices, asInteger} from './arguments.js';
 
 /** Options that are arrays: the fields of shaftcull_query for the numbers, and for how many these are. */
 const arrays = {
@@ -55,7 +55,7 @@ function arrayOf(name, value, shafts, bounds) {
  */
 export function queryOf(scratch, options, shafts, bounds, usualTest) {
   const given = Object.entries(arrays).filter(([name]) => options[name] !== undefined);
-  const limit = options.limit === undefined ? 0 : asLimit(options.limit, 'limit');
+  const limit = options.limit === undefined ? 0 : asInteger(options.limit, 1, 'limit');
   const test = asTriangleTest(options.triangleTest ?? usualTest);
   if (given.length === 0 && limit === 0 && test === 0) return 0;
   const query = {limit, triangle_test: test};

@@ -32,6 +32,9 @@ export type Contact = 'closed' | 'open';
 /** Which depths in clip space are in view: `zero_to_one` as in WebGPU, `minus_one_to_one` as in WebGL. */
 export type ClipDepth = 'zero_to_one' | 'minus_one_to_one';
 
+/** The form of a shaft that decides which boxes and spheres are outside: `slab` is faster, `planes` the paper's. */
+export type Form = 'slab' | 'planes';
+
 /** The answer of a shaft for one bound. */
 export type Answer = 'outside' | 'overlap' | 'inside';
 
@@ -65,18 +68,37 @@ export interface Shaftcull {
   /** The one that calls use, the fastest at first. Answers do not depend on it. Throws for a name that is none. */
   instructionSet: string;
 
+  /** The smallest box around points of 3 floats; the empty box, lo = +∞ and hi = −∞, if there are none. */
+  boxAround(points: Floats): Float32Array;
+  /** The box moved by a vector of 3 floats, rounded outwards. */
+  translated(box: Floats, by: Floats): Float32Array;
+  /** The box with every face moved out by a distance of 0 or more, rounded outwards. */
+  inflated(box: Floats, by: number): Float32Array;
+  /** A large box inside the convex hull of 4 to 32 points. No coordinate is rounded outwards. */
+  inscribedBox(corners: Floats): Float32Array;
+  /**
+   * Solid boxes joined to larger ones, which cover the same space: pieces of a wall that share a face become one box.
+   * Boxes of the result may overlap.
+   */
+  mergedBoxes(solids: Floats): Float32Array;
+  /**
+   * The planes of a view-projection matrix, up to 6 of 4 floats, normals outwards, to cut shafts to the view:
+   * `between(a, b, {planes: viewPlanes(matrix, depth)})`. Matrices are those of `frustum()`.
+   */
+  viewPlanes(matrix: Floats, depth: ClipDepth): Float32Array;
+
   /** Boxes that are asked one after the other: a checked copy. 6 floats each: lo x, y, z, hi x, y, z; lo ≤ hi. */
-  boxStream(boxes: Floats): BoxBounds;
+  boxStream(boxes: Floats): BoxStream;
   /** Boxes under a tree, whose questions take what they find. O(n log n). */
   boxTree(boxes: Floats): BoxTree;
   /** Spheres that are asked one after the other. 4 floats each: centre x, y, z, radius ≥ 0. */
-  sphereStream(spheres: Floats): SphereBounds;
+  sphereStream(spheres: Floats): SphereStream;
   /** Spheres under a tree. */
   sphereTree(spheres: Floats): SphereTree;
   /** Triangles that are asked one after the other: 9 floats each, or vertices of 3 floats and 3 indices each. */
-  triangleStream(triangles: Floats, indices?: ArrayLike<number>): TriangleBounds;
+  triangleStream(triangles: Floats, indices?: ArrayLike<number>): TriangleStream;
   /** Triangles under a tree. */
-  triangleTree(triangles: Floats, indices?: ArrayLike<number>): TriangleBounds;
+  triangleTree(triangles: Floats, indices?: ArrayLike<number>): TriangleTree;
 
   /**
    * Shafts between box i of `a` and box i of `b`, one of which may be a single box for all; or, with `pairs`, between
@@ -95,6 +117,11 @@ export interface Shaftcull {
    */
   shadow(lights: Floats, occluders: Floats,
          options?: {pairs?: ArrayLike<number>, reach?: number, contact?: Contact, planes?: Floats}): Shafts;
+  /**
+   * Copies of all shafts of these parts, one behind the other, so that one query asks them all. Queries about triangles
+   * need `triangleTest: 'vertices'` if there is a hull among them.
+   */
+  concatenate(parts: readonly Volume[]): Shafts;
   /** The convex hull of points, and of what lies from them along directions; at most 32 of both, 3 floats each. */
   hull(points: Floats, directions?: Floats): Hull;
   /**
@@ -109,6 +136,8 @@ export interface Shaftcull {
 
   /** Of all pairs of patches, which see each other. Takes what is undecided, and collects all answers. */
   visibility(scene: VisibilityScene): Visibility;
+  /** How many pairs there are of each kind. Takes no memory per pair. */
+  countVisibility(scene: Omit<VisibilityScene, 'candidates'>): Record<Sight, number>;
 
   /** The families of answers that have a hash on record: docs/hashes.md. */
   readonly hashFamilies: readonly HashFamily[];
@@ -158,11 +187,22 @@ export interface Hull extends Volume {
 /** An array of shafts. Questions of one shaft take the first of them, or the one that their option `at` names. */
 export interface Shafts extends Volume {
   readonly length: number;
+  /** What one shaft is. */
+  describe(options?: {at?: number}): ShaftInfo;
   /**
-   * The planes that join the boxes of shaft `at`, in the order in which they are tested: 4 floats each, the normal,
-   * which points out, and the offset. Of shafts between two boxes only.
+   * The planes that join the boxes of a shaft, in the order in which they are tested: 4 floats each, the normal, which
+   * points out, and the offset. For shafts between two boxes.
    */
-  joiningPlanes(at?: number): Float32Array;
+  joiningPlanes(options?: {at?: number}): Float32Array;
+  /** Chooses for all shafts whether bounds that only touch them are kept. Refuses hulls. */
+  setContact(contact: Contact): void;
+  /** Chooses the form of all shafts. Answers stay the same. Hulls have one form, and stay as they are. */
+  setForm(form: Form): void;
+  /**
+   * Computes the joining planes of all shafts, about 65 ns each, which otherwise some queries compute each time. It pays
+   * for shafts of several queries about bounds that are inside, about spheres, or in the form of planes.
+   */
+  complete(): void;
   /** Whether this one solid box hides one end of a shaft from the other. For shafts between two boxes. */
   occludedByBox(solid: Floats, options?: {at?: number}): boolean;
   /**
@@ -170,6 +210,19 @@ export interface Shafts extends Volume {
    * order, either way round.
    */
   occludedByPolygon(corners: Floats, options?: {at?: number}): boolean;
+}
+
+/** The state of one shaft of an array. */
+export interface ShaftInfo {
+  /** Where it begins and ends, 6 floats each: the boxes as given; for a moving box the end is rounded to nearest. */
+  readonly a: Float32Array;
+  readonly b: Float32Array;
+  readonly contact: Contact;
+  readonly form: Form;
+  /** Whether its joining planes are computed. */
+  readonly hasPlanes: boolean;
+  /** Whether it is a convex hull, which `concatenate()` put there; a and b are then the box around it. */
+  readonly isHull: boolean;
 }
 
 /** How triangles are tested: exactly, or by the box around their vertices. */
@@ -237,6 +290,11 @@ export interface FirstContact {
  */
 export interface Bounds extends Held {
   readonly length: number;
+  readonly kind: 'boxes' | 'spheres' | 'triangles';
+  /** Bytes of the module that it holds. */
+  readonly memoryBytes: number;
+  /** A copy, layers included. */
+  copy(): this;
   /** Bit i % 32 of word i / 32 says whether the shaft keeps bound i: whether it is not outside. */
   cull(shaft: Volume, options?: Omit<AskOptions, 'limit'>): Uint32Array;
   /** One row of bits per shaft, as `cull()` returns it. */
@@ -300,17 +358,54 @@ export interface BoxBounds extends SphereBounds {
   listOccludersMany(shafts: Shafts, options?: Omit<AskManyOptions, 'only'>): Lists;
 }
 
-/** A tree whose bounds may move. */
-export interface SphereTree extends SphereBounds {
-  /** Gives every bound a new value. O(n). */
-  update(bounds: Floats): void;
-  /** How much larger its nodes have become since it was built, 1 at first; at 2 or 3 `rebuild()` pays. */
-  readonly sahRatio: number;
-  /** Sorts the bounds again as they are now. */
-  rebuild(): void;
+export interface BoxStream extends BoxBounds {
+  /** Replaces bounds from `first` on, or from 0, as many as are given. O(bounds given). */
+  update(boxes: Floats, options?: {first?: number}): void;
 }
 
-export interface BoxTree extends BoxBounds, SphereTree {}
+export interface SphereStream extends SphereBounds {
+  /** As of a BoxStream. */
+  update(spheres: Floats, options?: {first?: number}): void;
+}
+
+export interface TriangleStream extends TriangleBounds {
+  /** As of a BoxStream; with `indices` the triangles are given as for `triangleStream()`. */
+  update(triangles: Floats, options?: {first?: number, indices?: ArrayLike<number>}): void;
+}
+
+/** Bounds that a tree sorts by space. */
+export interface Tree {
+  /** The indices of the bounds in the order of the tree, neighbours in space together. */
+  readonly order: Uint32Array;
+  /** The box around all bounds; the empty box, lo = +∞ and hi = −∞, if the tree needs `refit()`. */
+  readonly box: Float32Array;
+}
+
+export interface TriangleTree extends TriangleBounds, Tree {}
+
+/** A tree whose bounds may move. */
+export interface MovingTree extends Tree {
+  /** Gives every bound a new value, and refits. O(n). */
+  update(bounds: Floats): void;
+  /**
+   * Gives bound indices[i] the value at i of `bounds`. Queries then fail with 'needs refit' until `refit()`. The last
+   * value counts of an index that comes twice. O(bounds given), except for the first call, which is O(n).
+   */
+  updateSome(indices: ArrayLike<number>, bounds: Floats): void;
+  /** Fits the nodes to bounds that were updated by index. O(updated), at most O(n). */
+  refit(): void;
+  readonly needsRefit: boolean;
+  /** How much larger its nodes have become since it was built, 1 at first; at 2 or 3 `rebuild()` pays. */
+  readonly sahRatio: number;
+  /** Sorts the bounds again as they are now. Indices stay, `order` changes. */
+  rebuild(): void;
+  /** Gives the bounds new indices, in the order of the tree: bound `order[p]` becomes bound p. O(n). */
+  reorder(): void;
+}
+
+export interface SphereTree extends SphereBounds, MovingTree {}
+
+export interface BoxTree extends BoxBounds, MovingTree {}
 
 /**
  * Patches, and what stands between them. Floats are as in streams; a plane is 4: the normal, where it faces, and
@@ -324,14 +419,24 @@ export interface VisibilityScene {
   /** The other set; without it, each two patches of one set are a pair, once. */
   patchesB?: Floats;
   planesB?: Floats;
-  /** Boxes that may hide something. They are occluders 0 to n − 1, and what follows is numbered on. */
+  /** Boxes around things that may hide something: occluders 0 to n − 1. Those that follow here are numbered on. */
   boxes?: Floats;
   /** Boxes that are solid. */
   solids?: Floats;
+  /** Convex hulls that are solid: for each an array of its corners, 4 to 32 of 3 floats. */
+  hulls?: readonly Floats[];
+  /** Flat convex polygons: for each an array of its corners in order, 3 or more of 3 floats. */
+  polygons?: readonly Floats[];
   /** Triangles of 9 floats, in groups of neighbours that the library makes. */
   triangles?: Floats;
-  /** Occluders that only touch: 'open' if it is not said. */
+  /** Whether occluders that only touch a shaft stand between: 'open', they do not, by default. */
   contact?: Contact;
+  /** Whether a solid that an end reaches into makes a pair occluded; true by default. */
+  solidsAroundEnds?: boolean;
+  /** Whether undecided pairs come with candidates; true by default. */
+  candidates?: boolean;
+  /** Bytes for answers under way, 1 MB or more; 256 MB by default. */
+  memory?: number;
 }
 
 /** What sees what. */
@@ -349,11 +454,19 @@ export interface Visibility {
   readonly orderB: Uint32Array;
   /** Undecided pairs: two patches each. */
   readonly undecided: Uint32Array;
-  /** Occluders that reach between pair p are candidates[offsets[p]] to before candidates[offsets[p + 1]]. */
+  /**
+   * Occluders that reach between pair p are candidates[offsets[p]] to before candidates[offsets[p + 1]]: none for any
+   * pair if the scene asks for no candidates.
+   */
   readonly offsets: Float64Array;
   readonly candidates: Uint32Array;
-  /** The triangles of each occluder, by their positions in the scene's; none of a box. */
+  /** The triangles of each occluder, by their positions in the scene's; none of other occluders than triangles. */
   readonly triangles: readonly Uint32Array[];
   /** All pairs of one kind, two patches each; of one set with itself each pair once. */
   pairs(sight: Sight): Uint32Array;
+  /**
+   * A row of bits per patch of the first set: bit j % 32 of word j / 32 of row i says whether this is said of patches i
+   * and j. For one set with itself both bits of a pair are set.
+   */
+  bits(sight: Sight): Uint32Array[];
 }

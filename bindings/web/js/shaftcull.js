@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The package's interface; shaftcull.d.ts says what each call does.
 import * as bounds from './bounds.js';
+import * as boxes from './boxes.js';
 import * as hashes from './hashes.js';
 import {Module} from './module.js';
 import * as shafts from './shafts.js';
-import {visibility} from './visibility.js';
+import {countVisibility, visibility} from './visibility.js';
 
 export {roundOutwards} from './arguments.js';
 export {ShaftcullError} from './error.js';
@@ -53,28 +54,52 @@ class Shaftcull {
     });
   }
 
-  boxStream(boxes) {
-    return new bounds.BoxBounds(this.#module, 'boxes', 'stream', boxes);
+  boxAround(points) {
+    return boxes.boxAround(this.#module, points);
   }
 
-  boxTree(boxes) {
-    return new bounds.BoxTree(this.#module, 'boxes', 'tree', boxes);
+  translated(box, by) {
+    return boxes.translated(this.#module, box, by);
+  }
+
+  inflated(box, by) {
+    return boxes.inflated(this.#module, box, by);
+  }
+
+  inscribedBox(corners) {
+    return boxes.inscribedBox(this.#module, corners);
+  }
+
+  mergedBoxes(solids) {
+    return boxes.mergedBoxes(this.#module, solids);
+  }
+
+  viewPlanes(matrix, depth) {
+    return boxes.viewPlanes(this.#module, matrix, depth);
+  }
+
+  boxStream(values) {
+    return bounds.streamOf(this.#module, 'boxes', values);
+  }
+
+  boxTree(values) {
+    return bounds.treeOf(this.#module, 'boxes', values);
   }
 
   sphereStream(spheres) {
-    return new bounds.SphereBounds(this.#module, 'spheres', 'stream', spheres);
+    return bounds.streamOf(this.#module, 'spheres', spheres);
   }
 
   sphereTree(spheres) {
-    return new bounds.SphereTree(this.#module, 'spheres', 'tree', spheres);
+    return bounds.treeOf(this.#module, 'spheres', spheres);
   }
 
   triangleStream(triangles, indices) {
-    return new bounds.Bounds(this.#module, 'triangles', 'stream', triangles, indices);
+    return bounds.streamOf(this.#module, 'triangles', triangles, indices);
   }
 
   triangleTree(triangles, indices) {
-    return new bounds.Bounds(this.#module, 'triangles', 'tree', triangles, indices);
+    return bounds.treeOf(this.#module, 'triangles', triangles, indices);
   }
 
   between(a, b, options) {
@@ -91,6 +116,10 @@ class Shaftcull {
 
   shadow(lights, occluders, options) {
     return shafts.shadow(this.#module, lights, occluders, options);
+  }
+
+  concatenate(parts) {
+    return shafts.concatenate(this.#module, parts);
   }
 
   hull(points, directions) {
@@ -111,6 +140,10 @@ class Shaftcull {
 
   visibility(scene) {
     return visibility(this.#module, scene);
+  }
+
+  countVisibility(scene) {
+    return countVisibility(this.#module, scene);
   }
 
   hash(family, way, options) {

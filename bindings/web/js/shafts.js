@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Arrays of shafts, and convex hulls.
-import {asEnumerator, asFloats, asFloatsOf, asIndices, asPosition, checkOptions} from './arguments.js';
+import {asEnumerator, asFloats, asFloatsOf, asIndices, asPosition, asView, checkOptions} from './arguments.js';
 import {Held, made} from './held.js';
 import {asTriangleTest} from './query.js';
 import {kindOf, sourceOf} from './sources.js';
 
 export const contacts = ['closed', 'open'];
 const answers = ['outside', 'overlap', 'inside'];
-const depths = ['zero_to_one', 'minus_one_to_one'];
+const forms = ['slab', 'planes'];
 const maxPlanes = 8;
 
 /** A shaft of an array, or a hull, which can be asked about single bounds. */
@@ -35,24 +35,46 @@ function askOne(volume, at, query, values) {
 }
 
 export class Shafts extends Volume {
-  #between;
-
-  /** `between` says that they are between two boxes, so that they have joining planes. */
-  constructor(module, length, between) {
+  /** `areBetween` says that all are between two boxes, so that they have joining planes. */
+  constructor(module, length, areBetween) {
     super(module, 'shaftcull_shafts_free', made(module, 'shaftcull_shafts_create', BigInt(length)));
     this.length = length;
-    this.#between = between;
+    this.areBetween = areBetween;
   }
 
-  joiningPlanes(at = 0) {
-    asPosition(at, this.length, 'at');
-    if (!this.#between) throw new TypeError('only shafts between two boxes have joining planes');
+  joiningPlanes(options) {
+    if (!this.areBetween) throw new TypeError('only shafts between two boxes have joining planes');
     const {module} = this;
-    return module.scratch((scratch) => {
-      const {a, b} = scratch.described('shafts_info', 'shaftcull_shafts_describe', this.handle, BigInt(at));
+    return this.#described(options, ({a, b}, scratch) => {
       const planes = scratch.zeros(16 * maxPlanes);
       return module.floats(planes, 4 * module.call('joining_planes', a, b, planes));
     });
+  }
+
+  describe(options) {
+    const {module} = this;
+    return this.#described(options, (info) => ({
+      a: module.floats(info.a, 6),
+      b: module.floats(info.b, 6),
+      contact: contacts[info.contact],
+      form: forms[info.form],
+      hasPlanes: info.has_planes === 1,
+      isHull: info.is_hull === 1,
+    }));
+  }
+
+  setContact(contact) {
+    const value = asEnumerator(contact, contacts, 'contact');
+    this.module.call('shaftcull_shafts_set_contact', ...allShafts(this.module, this), value);
+  }
+
+  setForm(form) {
+    const value = asEnumerator(form, forms, 'form');
+    this.module.call('shaftcull_shafts_set_form', ...allShafts(this.module, this), value);
+  }
+
+  complete() {
+    this.module.call('shaftcull_shafts_complete', ...allShafts(this.module, this));
   }
 
   occludedByBox(solid, options = {}) {
@@ -66,6 +88,16 @@ export class Shafts extends Volume {
     const floats = asFloats(corners, 3, 'corners');
     const count = BigInt(floats.length / 3);
     return askOne(this, options.at, 'shaftcull_occluded_by_polygon', (scratch) => [scratch.copy(floats), count]) === 1;
+  }
+
+  /** The result of use(info, scratch), of the shaftcull_shafts_info of one shaft. */
+  #described(options = {}, use) {
+    checkOptions(options, ['at']);
+    const {module} = this;
+    return module.scratch((scratch) => {
+      const shaft = oneShaft(module, this, options.at);
+      return use(scratch.described('shafts_info', 'shaftcull_shafts_describe', ...shaft), scratch);
+    });
   }
 }
 
@@ -155,13 +187,11 @@ function planesFor(planes, count) {
 
 const asContact = ({contact}) => asEnumerator(contact ?? 'closed', contacts, 'contact');
 
-/** `count` shafts that form(range, scratch) forms. If `contact` is open, it is set afterwards. */
-function formed(module, count, isBetween, contact, form) {
-  const shafts = new Shafts(module, count, isBetween);
+/** `count` shafts that form(range, scratch) forms. */
+function formed(module, count, areBetween, form) {
+  const shafts = new Shafts(module, count, areBetween);
   try {
-    const range = allShafts(module, shafts);
-    module.scratch((scratch) => form(range, scratch));
-    if (contact !== 0) module.call('shaftcull_shafts_set_contact', ...range, contact);
+    module.scratch((scratch) => form(allShafts(module, shafts), scratch));
     return shafts;
   } catch (error) {
     shafts.free();
@@ -192,7 +222,7 @@ export function between(module, a, b, options = {}) {
   checkOptions(options, ['pairs', 'contact', 'planes']);
   const contact = asContact(options);
   const {count, write} = pairsOf(a, b, ['a', 'b'], options);
-  return formed(module, count, true, 0, (range, scratch) => {
+  return formed(module, count, true, (range, scratch) => {
     const {sources, planes} = write(scratch);
     module.call('shaftcull_shafts_set_between', ...range, ...sources, planes, contact);
   });
@@ -200,22 +230,26 @@ export function between(module, a, b, options = {}) {
 
 export function shadow(module, lights, occluders, options = {}) {
   checkOptions(options, ['pairs', 'reach', 'contact', 'planes']);
+  const contact = asContact(options);
   const {count, write} = pairsOf(lights, occluders, ['lights', 'occluders'], options);
-  return formed(module, count, false, asContact(options), (range, scratch) => {
+  return formed(module, count, false, (range, scratch) => {
     const {sources, planes} = write(scratch);
     const reach = options.reach === undefined ? 0 : scratch.copy(asFloatsOf([options.reach], 1, 'reach'));
     module.call('shaftcull_shafts_set_shadow', ...range, ...sources, reach, planes);
+    module.call('shaftcull_shafts_set_contact', ...range, contact);
   });
 }
 
 function moving(module, make, bodies, vectors, name, options = {}) {
   checkOptions(options, ['contact', 'planes']);
+  const contact = asContact(options);
   const [boxes, travels, count] =
       aligned(asFloats(bodies, 6, 'bodies'), 6, 'bodies', asFloats(vectors, 3, name), 3, name);
-  return formed(module, count, false, asContact(options), (range, scratch) => {
+  return formed(module, count, false, (range, scratch) => {
     const source = sourceOf(scratch, 'boxes', boxes, 'bodies');
     const [planes, planeCount] = planesFor(options.planes, count);
     module.call(make, ...range, source.pointer, scratch.copy(travels), scratch.copy(planes), planeCount);
+    module.call('shaftcull_shafts_set_contact', ...range, contact);
   });
 }
 
@@ -227,6 +261,21 @@ export function sweptInfinite(module, bodies, directions, options) {
   return moving(module, 'shaftcull_shafts_set_swept_infinite', bodies, directions, 'directions', options);
 }
 
+/** Copies of the shafts of all parts, one behind the other. */
+export function concatenate(module, parts) {
+  if (!Array.isArray(parts)) throw new TypeError('parts is no array of shafts and hulls');
+  const all = parts.map((part) => (part instanceof Hull ? part.asked : part));
+  const ranges = all.map((shafts) => allShafts(module, shafts));
+  const count = all.reduce((sum, {length}) => sum + length, 0);
+  return formed(module, count, all.every(({areBetween}) => areBetween), ([handle]) => {
+    let at = 0n;
+    for (const range of ranges) {
+      module.call('shaftcull_shafts_copy', handle, at, ...range);
+      at += range[2];
+    }
+  });
+}
+
 export function hull(module, points, directions = []) {
   const [from, along] = [asFloats(points, 3, 'points'), asFloats(directions, 3, 'directions')];
   return module.scratch((scratch) => new Hull(module, made(module, 'shaftcull_hull_create', scratch.copy(from),
@@ -234,9 +283,7 @@ export function hull(module, points, directions = []) {
 }
 
 export function frustum(module, matrix, depth) {
-  const columns = asFloatsOf(matrix, 16, 'matrix');
-  const rows = columns.map((_, i) => columns[4 * (i % 4) + Math.floor(i / 4)]);
-  const range = asEnumerator(depth, depths, 'depth');
+  const {rows, range} = asView(matrix, depth);
   return module.scratch(
       (scratch) => new Hull(module, made(module, 'shaftcull_hull_of_frustum', scratch.copy(rows), range)));
 }

@@ -20,6 +20,9 @@ export function sourceOf(scratch, name, values, argument) {
   return {pointer: scratch.struct('source', {kind, count, ...parts, stride: 4 * floats}), count};
 }
 
+/** The name of a kind by its constant. */
+export const kindName = (bound) => Object.keys(kinds).find((name) => kinds[name].bound === bound);
+
 /** The kind of one bound, by its number of floats: the name, and the constant of the C interface. */
 export function kindOf(floats) {
   const found = Object.entries(kinds).find(([, kind]) => kind.floats === floats.length);
@@ -27,8 +30,12 @@ export function kindOf(floats) {
   return {name: found[0], constant: found[1].bound};
 }
 
-/** A source of triangles that indices name. */
-export function meshSource(scratch, vertices, indices) {
+/** The same if `indices` are undefined, and otherwise a source of triangles that they name. */
+export function boundsSource(scratch, name, values, indices) {
+  return indices === undefined ? sourceOf(scratch, name, values, name) : meshSource(scratch, values, indices);
+}
+
+function meshSource(scratch, vertices, indices) {
   const points = asFloats(vertices, 3, 'triangles');
   const corners = asIndices(indices, 'indices');
   if (corners.length % 3 !== 0) throw new TypeError(`indices has ${corners.length} numbers, which is no multiple of 3`);

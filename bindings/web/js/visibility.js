@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Visibility: which pairs of patches see each other.
-import {asEnumerator, asFloats, checkOptions} from './arguments.js';
+import {asEnumerator, asFloats, asInteger, checkOptions} from './arguments.js';
 import {withHandles} from './held.js';
 import {contacts} from './shafts.js';
 import {sourceOf} from './sources.js';
 
 const sightNames = ['undecided', 'clear', 'occluded', 'facing_away'];
-const names = ['patches', 'planes', 'patchesB', 'planesB', 'boxes', 'solids', 'triangles', 'contact'];
+const parts = ['patches', 'planes', 'patchesB', 'planesB', 'boxes', 'solids', 'hulls', 'polygons', 'triangles'];
+const countOptions = ['contact', 'solidsAroundEnds', 'memory'];
 const productWords = 5;  // of shaftcull_pair_block
 
 function patchesOf(scratch, make, boxes, planes, name) {
@@ -20,22 +21,38 @@ function patchesOf(scratch, make, boxes, planes, name) {
                     BigInt(floats.length / 4));
 }
 
+/** Corners of hulls or polygons as arguments of the C interface: all of them, and where those of each begin. */
+function cornersOf(scratch, values, name) {
+  if (!Array.isArray(values)) throw new TypeError(`${name} is no array with the corners of each`);
+  const all = values.map((corners, i) => asFloats(corners, 3, `${name}[${i}]`));
+  const begins = new BigUint64Array(all.length + 1);
+  all.forEach(({length}, i) => (begins[i + 1] = begins[i] + BigInt(length / 3)));
+  const floats = new Float32Array(3 * Number(begins[all.length]));
+  all.forEach((corners, i) => floats.set(corners, 3 * Number(begins[i])));
+  return [scratch.copy(floats), begins[all.length], scratch.copy(begins), BigInt(all.length)];
+}
+
+/** All occluders of the scene: their handle, and the number of the first group of triangles. */
 function occludersOf(module, scratch, make, scene) {
   const occluders = make('shaftcull_occluders_free', 'shaftcull_occluders_create');
   const source = (kind, name) => sourceOf(scratch, kind, scene[name], name).pointer;
-  if (scene.boxes) module.call('shaftcull_occluders_add_boxes', occluders, source('boxes', 'boxes'), 0);
-  if (scene.solids) module.call('shaftcull_occluders_add_solids', occluders, source('boxes', 'solids'), 0);
-  if (scene.triangles) {
-    module.call('shaftcull_occluders_add_triangles', occluders, source('triangles', 'triangles'), 0, 0n, 0);
-  }
-  return occluders;
+  const add = (name, ...values) => module.call(name, occluders, ...values, 0);
+  if (scene.boxes) add('shaftcull_occluders_add_boxes', source('boxes', 'boxes'));
+  if (scene.solids) add('shaftcull_occluders_add_solids', source('boxes', 'solids'));
+  if (scene.hulls) add('shaftcull_occluders_add_solid_hulls', ...cornersOf(scratch, scene.hulls, 'hulls'));
+  if (scene.polygons) add('shaftcull_occluders_add_polygons', ...cornersOf(scratch, scene.polygons, 'polygons'));
+  const firstGroup = occludersCount(module, occluders);
+  if (scene.triangles) add('shaftcull_occluders_add_triangles', source('triangles', 'triangles'), 0, 0n);
+  return {occluders, firstGroup};
 }
 
-/** The triangles of the scene in each occluder: none in boxes, which come first, and those of a group in the others. */
-function trianglesOf(module, scratch, occluders, boxes) {
+const occludersCount = (module, occluders) => Number(module.call('shaftcull_occluders_count', occluders));
+
+/** The triangles of the scene in each occluder: those of a group, and none in others, which come first. */
+function trianglesOf(module, scratch, {occluders, firstGroup}) {
   const none = new Uint32Array();
-  return Array.from({length: Number(module.call('shaftcull_occluders_count', occluders))}, (_, occluder) => {
-    if (occluder < boxes) return none;
+  return Array.from({length: occludersCount(module, occluders)}, (_, occluder) => {
+    if (occluder < firstGroup) return none;
     const info = scratch.described('occluder_info', 'shaftcull_occluders_describe', occluders, BigInt(occluder));
     return module.words(info.triangles, info.triangle_count);
   });
@@ -46,23 +63,38 @@ function orderOf(module, scratch, patches) {
   return module.words(order, count);
 }
 
-export function visibility(module, scene) {
-  checkOptions(scene, names);
+/** The result of use(a, b, occluders, options, make, scratch): handles, and the options in memory; b may be 0. */
+function prepared(module, scene, names, use) {
+  checkOptions(scene, [...parts, ...names]);
   if (scene.planesB && !scene.patchesB) throw new TypeError('there are planesB, but no patchesB');
-  const contact = asEnumerator(scene.contact ?? 'open', contacts, 'contact');
+  const given = {
+    contact: asEnumerator(scene.contact ?? 'open', contacts, 'contact'),
+    solids_around_ends: scene.solidsAroundEnds === false ? 0 : 1,
+    candidates: scene.candidates === false ? 0 : 1,
+  };
+  if (scene.memory !== undefined) given.memory = asInteger(scene.memory, 0, 'memory');
   return withHandles(module, (make) => module.scratch((scratch) => {
     const a = patchesOf(scratch, make, scene.patches, scene.planes, 'patches');
-    const two = Boolean(scene.patchesB);
-    const b = two ? patchesOf(scratch, make, scene.patchesB, scene.planesB, 'patchesB') : 0;
+    const b = scene.patchesB ? patchesOf(scratch, make, scene.patchesB, scene.planesB, 'patchesB') : 0;
     const occluders = occludersOf(module, scratch, make, scene);
     const defaults = scratch.described('visibility_options', 'shaftcull_default_visibility_options');
-    const options = scratch.struct('visibility_options', {...defaults, contact});
-    const result = make('shaftcull_visibility_result_free', 'shaftcull_collect_visibility', a, b, occluders, options);
-    const orderA = orderOf(module, scratch, a);
-    const boxes = ((scene.boxes?.length ?? 0) + (scene.solids?.length ?? 0)) / 6;
-    const orderB = two ? orderOf(module, scratch, b) : orderA;
-    return new Visibility(module, scratch, result, orderA, orderB, trianglesOf(module, scratch, occluders, boxes));
+    return use(a, b, occluders, scratch.struct('visibility_options', {...defaults, ...given}), make, scratch);
   }));
+}
+
+export function visibility(module, scene) {
+  return prepared(module, scene, [...countOptions, 'candidates'], (a, b, occluders, options, make, scratch) => {
+    const answers = [a, b, occluders.occluders, options];
+    const result = make('shaftcull_visibility_result_free', 'shaftcull_collect_visibility', ...answers);
+    const orderA = orderOf(module, scratch, a);
+    const orderB = b === 0 ? orderA : orderOf(module, scratch, b);
+    return new Visibility(module, scratch, result, orderA, orderB, trianglesOf(module, scratch, occluders));
+  });
+}
+
+export function countVisibility(module, scene) {
+  return prepared(module, scene, countOptions, (a, b, {occluders}, options, make, scratch) =>
+    scratch.described('sight_counts', 'shaftcull_visibility', a, b, occluders, options, 0, 0));
 }
 
 class Visibility {
@@ -96,6 +128,19 @@ class Visibility {
     return pairs;
   }
 
+  bits(sight) {
+    asEnumerator(sight, sightNames, 'sight');
+    const isOneSet = this.orderA === this.orderB;
+    const rows = Array.from(this.orderA, () => new Uint32Array(Math.ceil(this.orderB.length / 32)));
+    const set = (i, j) => (rows[i][j >> 5] |= 1 << (j & 31));
+    const pairs = this.pairs(sight);
+    for (let p = 0; p !== pairs.length; p += 2) {
+      set(pairs[p], pairs[p + 1]);
+      if (isOneSet) set(pairs[p + 1], pairs[p]);
+    }
+    return rows;
+  }
+
   #readProducts(module, products, count) {
     const words = module.words(products, productWords * count);
     this.products = new Uint32Array(4 * count);
@@ -107,7 +152,7 @@ class Visibility {
 
   #readUndecided(module, {pairs, count, first_candidate: offsets, candidates}) {
     this.undecided = module.words(pairs, 2 * count);
-    this.offsets = count === 0 ? new Float64Array(1) : module.numbers(offsets, count + 1);
+    this.offsets = offsets === 0 ? new Float64Array(count + 1) : module.numbers(offsets, count + 1);
     this.candidates = module.words(candidates, this.offsets[count]);
   }
 }

@@ -260,6 +260,89 @@ describe('bounds', () => {
   });
 });
 
+describe('bounds that change', () => {
+  const everywhere = () => shaftcull.between([-9, -9, -9, -9, -9, -9], [200, 200, 200, 200, 200, 200]);
+  const spheresOf = (count, seed) => boxesOf(count, seed).filter((_, i) => i % 6 < 4).map((x) => Math.abs(x));
+  const trianglesOf = (count, seed) => Float32Array.from(
+      {length: 9 * count}, (_, i) => boxesOf(count, seed)[6 * Math.floor(i / 9) + i % 3] + i % 4);
+
+  test('trees are updated by index, and refuse queries until they are refitted', () => {
+    for (const [kind, of, floats] of [['box', boxesOf, 6], ['sphere', spheresOf, 4]]) {
+      const [values, moved] = [of(500, 21), of(3, 22)];
+      const tree = shaftcull[`${kind}Tree`](values);
+      tree.updateSome([499, 7, 499], moved);
+      assert.equal(tree.needsRefit, true);
+      assert.throws(() => tree.count(everywhere()), (error) => error.status === 'needs refit');
+      tree.refit();
+      assert.equal(tree.needsRefit, false);
+      values.set(moved.subarray(floats, 2 * floats), 7 * floats);
+      values.set(moved.subarray(2 * floats), 499 * floats);
+      const stream = shaftcull[`${kind}Stream`](values);
+      const shafts = shaftcull.between(boxesOf(40, 23), boxesOf(40, 24));
+      for (let at = 0; at !== 40; ++at) {
+        assert.deepEqual(ascending(tree.list(shafts, {at})), [...stream.list(shafts, {at})]);
+      }
+      assert.throws(() => tree.updateSome([500], of(1, 22)), ShaftcullError);
+      assert.throws(() => tree.updateSome([0, 1], of(1, 22)), ShaftcullError);
+      assert.throws(() => tree.updateSome([-1], of(1, 22)), /indices\[0\] = -1 is no integer/);
+      assert.equal(tree.needsRefit, false, 'nothing was changed');
+    }
+  });
+
+  test('trees tell their order and box, and are reordered', () => {
+    const boxes = boxesOf(300, 25);
+    const tree = shaftcull.boxTree(boxes);
+    const {order} = tree;
+    assert.deepEqual(ascending(order), upTo(300));
+    const before = tree.list(everywhere());
+    assert.deepEqual(before, order.filter((i) => before.includes(i)), 'lists have the order of the tree');
+    tree.reorder();
+    assert.deepEqual([...tree.order], upTo(300));
+    assert.deepEqual([...tree.list(everywhere())].map((i) => order[i]), [...before]);
+    const around = upTo(6).map((c) => Math[c < 3 ? 'min' : 'max'](...boxes.filter((_, i) => i % 6 === c)));
+    assert.deepEqual([...tree.box], around);
+    const triangles = shaftcull.triangleTree(trianglesOf(70, 26));
+    assert.deepEqual(ascending(triangles.order), upTo(70));
+    assert(triangles.box.every((x) => Number.isFinite(x)));
+    assert.deepEqual([...shaftcull.sphereTree([]).order], []);
+  });
+
+  test('streams are overwritten from any position on', () => {
+    for (const [kind, of, floats] of [['box', boxesOf, 6], ['sphere', spheresOf, 4], ['triangle', trianglesOf, 9]]) {
+      const [values, moved] = [of(50, 27), of(10, 28)];
+      const stream = shaftcull[`${kind}Stream`](values);
+      stream.update(moved, {first: 33});
+      values.set(moved, 33 * floats);
+      const shafts = shaftcull.between(boxesOf(40, 23), boxesOf(40, 24));
+      const rebuilt = shaftcull[`${kind}Stream`](values);
+      assert.deepEqual(stream.listMany(shafts), rebuilt.listMany(shafts));
+      stream.update(of(50, 29));
+      assert.deepEqual(stream.listMany(shafts), shaftcull[`${kind}Stream`](of(50, 29)).listMany(shafts));
+      assert.throws(() => stream.update(moved, {first: 41}), ShaftcullError);
+      assert.throws(() => stream.update(moved, {first: -1}), /first = -1 is no integer from 0/);
+      assert.throws(() => stream.update(moved, {at: 1}), /no option 'at'/);
+    }
+    const mesh = shaftcull.triangleStream([2, 4, 2, 3, 5, 3, 2, 5, 3], [0, 1, 2, 2, 1, 0]);
+    mesh.update([20, 0, 0, 21, 0, 0, 20, 1, 0], {first: 1, indices: [0, 1, 2]});
+    assert.deepEqual([...mesh.list(shaftcull.between(lamp, table))], [0]);
+    assert.throws(() => shaftcull.boxStream(scene).update(scene, {indices: [0]}), /no option 'indices'/);
+  });
+
+  test('copies are separate, layers included', () => {
+    for (const make of ['boxStream', 'boxTree']) {
+      const holder = shaftcull[make](scene);
+      holder.setLayers([1, 2, 4]);
+      const copy = holder.copy();
+      assert.equal(copy.length, 3);
+      assert.equal(copy.kind, 'boxes');
+      assert(copy.memoryBytes >= 72 && copy.memoryBytes === holder.memoryBytes);
+      holder.update([...lamp, ...lamp, ...lamp]);
+      holder.free();
+      assert.deepEqual([...copy.list(shaftcull.between(lamp, table), {layerMask: 6})], [2]);
+    }
+  });
+});
+
 describe('options', () => {
   const COUNT = 400;
   const LAST = 0x8000_0000;  // the last layer
@@ -515,7 +598,56 @@ describe('shafts', () => {
       assert(Math.max(most(lamp), most(table)) <= offset + 1e-5);
       assert(Math.abs(most(lamp) - most(table)) < 1e-5, 'it joins the two');
     }
+    const both = shaftcull.between(lamp, [...scene.slice(0, 6), ...table]);
+    assert.deepEqual(both.joiningPlanes({at: 1}), planes);
+    assert.notDeepEqual(both.joiningPlanes(), planes);
     assert.throws(() => shaftcull.swept(lamp, [1, 0, 0]).joiningPlanes(), /between two boxes/);
+  });
+
+  test('are described, and answer the same in both forms, completed or not', () => {
+    const shafts = shaftcull.between(lamp, [...table, ...scene.slice(0, 6)]);
+    const described = {a: Float32Array.from(lamp), b: Float32Array.from(table), contact: 'closed', form: 'slab',
+                       hasPlanes: false, isHull: false};
+    assert.deepEqual(shafts.describe(), described);
+    const streams = [shaftcull.boxStream(boxesOf(500, 31, 12)), shaftcull.sphereStream([2, 5, 2, 1, 20, 0, 0, 1])];
+    const answers = () => streams.map((stream) => stream.listClassifiedMany(shafts));
+    const before = answers();
+    shafts.complete();
+    const second = {...described, b: Float32Array.from(scene.slice(0, 6)), hasPlanes: true};
+    assert.deepEqual(shafts.describe({at: 1}), second);
+    assert.deepEqual(answers(), before);
+    shafts.setForm('planes');
+    assert.equal(shafts.describe().form, 'planes');
+    assert.deepEqual(answers(), before);
+    shafts.setForm('slab');
+    shafts.setContact('open');
+    assert.deepEqual([shafts.describe().contact, shafts.describe().form], ['open', 'slab']);
+    const open = shaftcull.between(lamp, [...table, ...scene.slice(0, 6)], {contact: 'open'});
+    assert.deepEqual(answers(), streams.map((stream) => stream.listClassifiedMany(open)));
+    assert.notDeepEqual(answers(), before);
+    shafts.setContact('closed');
+    assert.deepEqual(answers(), before);
+  });
+
+  test('are concatenated with hulls, and asked at once', () => {
+    const [a, b] = [shaftcull.between(lamp, [...table, ...lamp]), shaftcull.swept(table, [0, 9, 0])];
+    const hull = shaftcull.hull([-5, -5, -5, 9, -5, -5, 0, 9, -5, 0, 0, 9]);
+    const all = shaftcull.concatenate([a, hull, b]);
+    assert.equal(all.length, 4);
+    assert.deepEqual(upTo(4).map((at) => all.describe({at}).isHull), [false, false, true, false]);
+    const tree = shaftcull.boxTree(boxesOf(300, 32, 12));
+    const apart = [[a, 0], [a, 1], [hull, 0], [b, 0]].map(([shaft, at]) => tree.list(shaft, {at}));
+    for (const shafts of [a, b, hull]) shafts.free();
+    assert.deepEqual(listsOf(tree.listMany(all)), apart);
+    assert(apart.some((list) => list.length > 0));
+    const triangles = shaftcull.triangleStream([2, 4, 2, 3, 5, 3, 2, 5, 3]);
+    assert.throws(() => triangles.countMany(all), ShaftcullError);
+    assert.equal(triangles.countMany(all, {triangleTest: 'vertices'}).length, 4);
+    assert.throws(() => all.joiningPlanes(), /between two boxes/);
+    assert.throws(() => all.setContact('open'), ShaftcullError);
+    const between = shaftcull.between(lamp, table);
+    assert.equal(shaftcull.concatenate([between, between]).joiningPlanes({at: 1}).length, 24);
+    assert.equal(shaftcull.concatenate([]).length, 0);
   });
 
   test('of moving boxes find what they touch, and when', () => {
@@ -619,8 +751,56 @@ describe('shafts', () => {
   });
 });
 
+describe('boxes and planes', () => {
+  test('are made of points, boxes and hulls', () => {
+    assert.deepEqual([...shaftcull.boxAround([1, 2, 3, 0, 5, 1])], [0, 2, 1, 1, 5, 3]);
+    assert.deepEqual([...shaftcull.boxAround([])], [Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity]);
+    assert.deepEqual([...shaftcull.translated(lamp, [1, 2, 3])], [1, 11, 3, 2, 12, 4]);
+    assert.deepEqual([...shaftcull.inflated(lamp, 0.5)], [-0.5, 8.5, -0.5, 1.5, 10.5, 1.5]);
+    const corners = upTo(8).flatMap((c) => [c & 1, c >> 1 & 1, c >> 2]);
+    assert.deepEqual([...shaftcull.inscribedBox(corners)], [0, 0, 0, 1, 1, 1]);
+    const small = 2 ** -149;
+    assert(shaftcull.translated(lamp, [small, 0, 0])[3] > 1, 'rounded outwards');
+    for (const refused of [() => shaftcull.boxAround([NaN, 0, 0]), () => shaftcull.inflated(lamp, -1),
+                           () => shaftcull.translated(lamp, [Infinity, 0, 0]),
+                           () => shaftcull.inscribedBox([0, 0, 0])]) {
+      assert.throws(refused, ShaftcullError);
+    }
+    assert.throws(() => shaftcull.inflated(lamp, 0.1), /by\[0\] = 0\.1 is no float32/);
+  });
+
+  test('are joined to larger boxes, of which there may be more', () => {
+    assert.deepEqual([...shaftcull.mergedBoxes([0, 0, 0, 1, 1, 1, 1, 0, 0, 2, 1, 1])], [0, 0, 0, 2, 1, 1]);
+    assert.deepEqual([...shaftcull.mergedBoxes([])], []);
+    const cells = upTo(216).map((i) => [i % 6, Math.floor(i / 6) % 6, Math.floor(i / 36)]).filter(([x, y, z]) => {
+      const sum = x + y + z;
+      return sum >= 6 && sum < 9;
+    });
+    const merged = shaftcull.mergedBoxes(cells.flatMap(([x, y, z]) => [x, y, z, x + 1, y + 1, z + 1]));
+    assert(merged.length / 6 > cells.length);
+    const volume = (box) => upTo(3).reduce((product, k) => product * (box[3 + k] - box[k]), 1);
+    assert(upTo(merged.length / 6).some((i) => volume(merged.subarray(6 * i, 6 * i + 6)) > 1));
+    assert.throws(() => shaftcull.mergedBoxes([...lamp, 1, 0, 0, 0, 1, 1]), (error) => error.position === 1);
+  });
+
+  test('of a view cut shafts to it', () => {
+    const matrix = [0.125, 0, 0, 0, 0, 0.125, 0, 0, 0, 0, -0.125, 0, 0, 0, 0, 1];  // 8 to each side
+    const planes = shaftcull.viewPlanes(matrix, 'minus_one_to_one');
+    assert.equal(planes.length, 24);
+    const [end, far] = [[-50, 0, 0, -49, 1, 1], [49, 0, 0, 50, 1, 1]];
+    const tree = shaftcull.boxTree([0, 0, 0, 1, 1, 1, 20, 0, 0, 21, 1, 1, 8, 0, 0, 9, 1, 1]);
+    assert.deepEqual(ascending(tree.list(shaftcull.between(end, far, {planes}))), [0, 2]);
+    assert.deepEqual([...tree.list(shaftcull.between(end, far, {planes, contact: 'open'}))], [0], 'both in one call');
+    matrix[12] = -2;  // column after column: x from 8 to 24
+    const right = shaftcull.between(end, far, {planes: shaftcull.viewPlanes(matrix, 'minus_one_to_one')});
+    assert.deepEqual(ascending(tree.list(right)), [1, 2]);
+    assert.throws(() => shaftcull.viewPlanes(new Float32Array(16).fill(NaN), 'zero_to_one'), ShaftcullError);
+  });
+});
+
 describe('hulls', () => {
   const orthographic = [0.1, 0, 0, 0, 0, 0.1, 0, 0, 0, 0, -0.1, 0, 0, 0, 0, 1];  // 10 to each side
+
 
   test('go wherever a shaft goes', () => {
     const tree = shaftcull.boxTree([0, 0, 0, 1, 1, 1, 20, 0, 0, 21, 1, 1]);
@@ -694,6 +874,63 @@ describe('visibility', () => {
     const many = shaftcull.visibility({patches: row(0, 3), boxes: lamp, triangles});
     assert.equal(many.triangles[0].length, 0, 'a box has none');
     assert.deepEqual(ascending(many.triangles.flatMap((group) => [...group])), upTo(100));
+  });
+
+  test('is blocked by hulls and polygons, by their corners', () => {
+    const wall = [-9, 5, -9, -9, 5, 9, 9, 5, 9, 9, 5, -9];
+    const pillar = [-9, 4, -9, 9, 4, -9, 0, 4, 20, 0, 6, 0];
+    const ends = {patches: row(0, 1), patchesB: row(10, 1)};
+    for (const scene of [{polygons: [wall]}, {hulls: [pillar]}, {polygons: [[0, 50, 0, 1, 50, 0, 0, 50, 1], wall]}]) {
+      const seen = shaftcull.visibility({...ends, ...scene});
+      assert.deepEqual(seen.counts, {undecided: 0, clear: 0, occluded: 1, facing_away: 0});
+      assert(seen.triangles.every((group) => group.length === 0));
+    }
+    const triangles = [0, 5, 0, 1, 5, 0, 0, 5, 1];
+    const polygons = [[0, 50, 0, 1, 50, 0, 0, 50, 1]];
+    const seen = shaftcull.visibility({...ends, boxes: [...lamp, ...lamp], hulls: [], polygons, triangles});
+    assert.deepEqual(seen.triangles.map((group) => group.length), [0, 0, 0, 1], 'triangles come last');
+    const [four, threeFloats] = [[...wall, 0], [0, 0, 0]];
+    assert.throws(() => shaftcull.visibility({...ends, polygons: [four]}), /polygons\[0\] has 13 floats/);
+    assert.throws(() => shaftcull.visibility({...ends, hulls: [pillar, threeFloats]}), ShaftcullError);
+    assert.throws(() => shaftcull.visibility({...ends, polygons: Float32Array.from(wall)}), /polygons is no array/);
+  });
+
+  test('is counted, and answered without candidates', () => {
+    const scene = {
+      patches: row(0, 8), patchesB: row(10, 8), solids: [-100, 4, -100, 7, 6, 100], boxes: [9, 4, 0, 9.5, 5, 1],
+    };
+    const seen = shaftcull.visibility(scene);
+    assert.deepEqual(shaftcull.countVisibility({...scene, memory: 1 << 20}), seen.counts);
+    const fewer = shaftcull.visibility({...scene, candidates: false});
+    assert.deepEqual(fewer.counts, seen.counts);
+    assert(seen.counts.undecided > 0 && seen.candidates.length > 0);
+    assert.deepEqual(fewer.undecided, seen.undecided);
+    assert.deepEqual(fewer.offsets, new Float64Array(seen.counts.undecided + 1));
+    assert.equal(fewer.candidates.length, 0);
+    const around = {patches: row(0, 1), patchesB: row(10, 1), solids: [-1, -1, -1, 2, 2, 2]};
+    assert.equal(shaftcull.countVisibility(around).occluded, 1);
+    assert.equal(shaftcull.countVisibility({...around, solidsAroundEnds: false}).occluded, 0);
+    assert.throws(() => shaftcull.countVisibility({...scene, candidates: true}), /no option 'candidates'/);
+    assert.throws(() => shaftcull.countVisibility({...scene, memory: 9}), ShaftcullError);
+  });
+
+  test('has a bit per pair', () => {
+    const [two, one] = [{patches: row(0, 40), patchesB: row(10, 3)}, {patches: row(0, 40)}];
+    for (const scene of [two, one]) {
+      const seen = shaftcull.visibility({...scene, solids: [5, 3, 0, 9, 5, 1]});
+      for (const sight of ['clear', 'undecided']) {
+        const rows = seen.bits(sight);
+        assert.equal(rows.length, 40);
+        const pairs = seen.pairs(sight);
+        const expected = new Set(upTo(pairs.length / 2).flatMap((p) => {
+          const [a, b] = pairs.subarray(2 * p, 2 * p + 2);
+          return scene === one ? [`${a} ${b}`, `${b} ${a}`] : [`${a} ${b}`];
+        }));
+        const columns = scene === one ? 40 : 3;
+        const set = rows.flatMap((bits, i) => positionsOf(bits, columns).map((j) => `${i} ${j}`));
+        assert.deepEqual(new Set(set), expected);
+      }
+    }
   });
 });
 

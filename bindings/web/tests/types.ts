@@ -2,8 +2,8 @@
 // A client in TypeScript, which is compiled and not run: all types are there, and what is wrong is refused.
 import {load, roundOutwards, ShaftcullError} from 'shaftcull';
 import type {
-  Answer, AskManyOptions, AskOptions, BoxTree, Bounds, FirstContact, Floats, Hull, Lists, Shafts, Shaftcull, Sight,
-  Visibility, Volume,
+  Answer, AskManyOptions, AskOptions, BoxTree, Bounds, FirstContact, Floats, Hull, Lists, ShaftInfo, Shafts, Shaftcull,
+  Sight, Visibility, Volume,
 } from 'shaftcull';
 
 const shaftcull: Shaftcull = await load(new Uint8Array());
@@ -16,6 +16,17 @@ export const numbers: number[] = every.map((bounds) => bounds.count(view) + boun
 export const first: number | undefined = tree.firstContact(shafts)?.time;
 export const occluded: number | undefined = tree.findOccluder(shafts, {exclude: [0]});
 tree.update(boxes);
+tree.updateSome([0], boxes);
+tree.refit();
+tree.reorder();
+export const fits: boolean = !tree.needsRefit && tree.copy().order.length === tree.box.length;
+shaftcull.triangleStream([]).update([], {first: 0, indices: [0, 0, 0]});
+shafts.setForm('planes');
+shafts.complete();
+const all: Shafts = shaftcull.concatenate([shafts, view]);
+const info: ShaftInfo = all.describe({at: 1});
+export const planes: Float32Array[] = [all.joiningPlanes({at: 0}), shaftcull.viewPlanes(info.a, 'zero_to_one')];
+export const made: Float32Array = shaftcull.inflated(shaftcull.translated(shaftcull.boxAround([]), [0, 0, 0]), 1);
 tree.setLayers(Uint32Array.of(1));
 tree.setLayersOf([0], [2]);
 const asked: AskOptions = {exclude: [0], excludeMask: tree.cull(view), layerMask: 1, limit: 9, only: [0], at: 0};
@@ -31,7 +42,8 @@ export const answers: Answer[] = volumes.map((volume) => volume.classify(boxes, 
 export const is: boolean[] = [view.keeps(boxes), shafts.occludedByBox(boxes), shafts.occludedByPolygon([], {at: 1})];
 export const inside: Uint32Array[] = every.map((bounds) => bounds.listClassified(view, {exclude: [0]}).inside);
 
-const seen: Visibility = shaftcull.visibility({patches: boxes, solids: boxes});
+const seen: Visibility = shaftcull.visibility({patches: boxes, solids: boxes, polygons: [[0, 0, 0]], candidates: false});
+export const visible: number = shaftcull.countVisibility({patches: boxes, hulls: []}).clear + seen.bits('clear').length;
 const sights: Sight[] = ['clear', 'facing_away'];
 export const pairs: Uint32Array[] = sights.map((sight) => seen.pairs(sight));
 export const position = (error: unknown): number | undefined => (error instanceof ShaftcullError ? error.position : 0);
@@ -58,5 +70,13 @@ tree.countMany(view);
 shaftcull.sphereTree([]).occludedMany(shafts);
 // @ts-expect-error: solids are not asked about candidates
 tree.findOccluder(shafts, {only: [0]});
+// @ts-expect-error: streams have no order
+shaftcull.boxStream([]).order;
+// @ts-expect-error: trees of triangles are not updated
+shaftcull.triangleTree([]).update([]);
+// @ts-expect-error: the shaft is an option
+shafts.joiningPlanes(0);
+// @ts-expect-error: nothing is kept of a pair that is counted
+shaftcull.countVisibility({patches: boxes, candidates: true});
 // @ts-expect-error: there is no such test
 tree.list(shafts, {triangleTest: 'boxes'});
