@@ -102,21 +102,22 @@ export interface Shaftcull {
 
   /**
    * Shafts between box i of `a` and box i of `b`, one of which may be a single box for all; or, with `pairs`, between
-   * box pairs[2 i] of `a` and box pairs[2 i + 1] of `b`. Planes are half-spaces that what any of the shafts keeps must
-   * also meet, 4 floats each: normal x, y, z, which points out, and offset: the inside is x nx + y ny + z nz ≤ offset.
-   * 16 at most.
+   * box pairs[2 i] of `a` and box pairs[2 i + 1] of `b`.
    */
-  between(a: Floats, b: Floats, options?: {pairs?: ArrayLike<number>, contact?: Contact, planes?: Floats}): Shafts;
-  /** What each body sweeps over that moves by its displacement of 3 floats; one of either may be for all. */
-  swept(bodies: Floats, displacements: Floats, options?: {contact?: Contact, planes?: Floats}): Shafts;
+  between(a: Floats, b: Floats, options?: FormOptions & {
+    pairs?: ArrayLike<number>, planesA?: Floats, planesB?: Floats,
+  }): Shafts;
+  /** The volumes that bodies sweep over, each by its displacement of 3 floats; one of either may be for all. */
+  swept(bodies: Floats, displacements: Floats, options?: FormOptions & {planesBodies?: Floats}): Shafts;
   /** The same without end, in directions of 3 floats. */
-  sweptInfinite(bodies: Floats, directions: Floats, options?: {contact?: Contact, planes?: Floats}): Shafts;
+  sweptInfinite(bodies: Floats, directions: Floats, options?: FormOptions & {planesBodies?: Floats}): Shafts;
   /**
    * All that occluder i can shadow from light i, which is apart from it: up to `reach` times its distance, 1 or more,
-   * or without end. Pairs and planes are as for `between()`.
+   * or without end. Pairs are as for `between()`.
    */
-  shadow(lights: Floats, occluders: Floats,
-         options?: {pairs?: ArrayLike<number>, reach?: number, contact?: Contact, planes?: Floats}): Shafts;
+  shadow(lights: Floats, occluders: Floats, options?: FormOptions & {
+    pairs?: ArrayLike<number>, reach?: number, planesLights?: Floats, planesOccluders?: Floats,
+  }): Shafts;
   /**
    * Copies of all shafts of these parts, one behind the other, so that one query asks them all. Queries about triangles
    * need `triangleTest: 'vertices'` if there is a hull among them.
@@ -146,6 +147,18 @@ export interface Shaftcull {
    * hash and the one on record, 16 hexadecimal digits each. Takes seconds, a quick look some 10 ms.
    */
   hash(family: string, way: string, options?: {quick?: boolean}): {hash: string, record: string};
+}
+
+/**
+ * Options of calls that form shafts. A plane is a half-space that bounds must also meet to be kept, 4 floats: normal x,
+ * y, z, which points out, and offset; the inside is x nx + y ny + z nz ≤ offset. `planes` cut all shafts. `planesA` and
+ * the like belong to boxes, and cut the shafts of these: as many for each box, those of box 0 first. A shaft has 16 at
+ * most.
+ */
+export interface FormOptions {
+  planes?: Floats;
+  /** 'closed' by default. */
+  contact?: Contact;
 }
 
 /** Questions of one kind about made-up cases. */
@@ -199,8 +212,8 @@ export interface Shafts extends Volume {
   /** Chooses the form of all shafts. Answers stay the same. Hulls have one form, and stay as they are. */
   setForm(form: Form): void;
   /**
-   * Computes the joining planes of all shafts, about 65 ns each, which otherwise some queries compute each time. It pays
-   * for shafts of several queries about bounds that are inside, about spheres, or in the form of planes.
+   * Computes the joining planes of all shafts, which otherwise some queries compute each time. It pays for shafts of
+   * several queries about bounds that are inside, about spheres, or in the form of planes.
    */
   complete(): void;
   /** Whether this one solid box hides one end of a shaft from the other. For shafts between two boxes. */

@@ -179,11 +179,27 @@ function repeated(floats, times) {
   return all;
 }
 
-/** Planes for all shafts, repeated for each of `count`. */
-function planesFor(planes, count) {
-  const floats = repeated(asFloats(planes ?? [], 4, 'planes'), count);
-  return [floats, BigInt(floats.length / 4)];
+/**
+ * For each of `count` boxes the planes for all, and then its own. `values` are those of all `given` boxes, which are
+ * `count` or one.
+ */
+function planesFor(all, values, name, given, count) {
+  const own = asFloats(values ?? [], 4, name);
+  if (own.length % (4 * given) > 0) {
+    throw new TypeError(`${name} has ${own.length / 4} planes for ${given} boxes; there must be as many for each`);
+  }
+  const per = own.length / given || 0;
+  const floats = new Float32Array(count * (all.length + per));
+  for (let i = 0; i !== count; ++i) {
+    const first = given === 1 ? 0 : i * per;
+    floats.set(all, i * (all.length + per));
+    floats.set(own.subarray(first, first + per), i * (all.length + per) + all.length);
+  }
+  return floats;
 }
+
+/** The option for planes of boxes that are called so: planesA. */
+const planesName = (boxes) => `planes${boxes[0].toUpperCase()}${boxes.slice(1)}`;
 
 const asContact = ({contact}) => asEnumerator(contact ?? 'closed', contacts, 'contact');
 
@@ -202,6 +218,7 @@ function formed(module, count, areBetween, form) {
 /** Boxes and pairs of them as arguments of the C interface: how many shafts they make, and write(scratch). */
 function pairsOf(a, b, names, options) {
   let [boxesA, boxesB] = [asFloats(a, 6, names[0]), asFloats(b, 6, names[1])];
+  const given = [boxesA.length / 6, boxesB.length / 6];
   const pairs = options.pairs === undefined ? undefined : asIndices(options.pairs, 'pairs');
   if (pairs === undefined) [boxesA, boxesB] = aligned(boxesA, 6, names[0], boxesB, 6, names[1]);
   if (pairs !== undefined && pairs.length % 2 !== 0) {
@@ -210,8 +227,12 @@ function pairsOf(a, b, names, options) {
   const write = (scratch) => {
     const sourceA = sourceOf(scratch, 'boxes', boxesA, names[0]);
     const sourceB = sourceOf(scratch, 'boxes', boxesB, names[1]);
-    const [floats, planeCount] = planesFor(options.planes, sourceA.count);
-    const planes = scratch.struct('batch_planes', {a: scratch.copy(floats), a_count: planeCount});
+    const all = asFloats(options.planes ?? [], 4, 'planes');
+    const [planesA, planesB] = [[all, sourceA], [[], sourceB]].map(([common, {count}], i) =>
+        planesFor(common, options[planesName(names[i])], planesName(names[i]), given[i], count));
+    const planes = scratch.struct('batch_planes', {
+      a: scratch.copy(planesA), a_count: planesA.length / 4, b: scratch.copy(planesB), b_count: planesB.length / 4,
+    });
     const named = pairs === undefined ? 0 : scratch.copy(pairs);
     return {sources: [sourceA.pointer, sourceB.pointer, named], planes};
   };
@@ -219,7 +240,7 @@ function pairsOf(a, b, names, options) {
 }
 
 export function between(module, a, b, options = {}) {
-  checkOptions(options, ['pairs', 'contact', 'planes']);
+  checkOptions(options, ['pairs', 'contact', 'planes', 'planesA', 'planesB']);
   const contact = asContact(options);
   const {count, write} = pairsOf(a, b, ['a', 'b'], options);
   return formed(module, count, true, (range, scratch) => {
@@ -229,7 +250,7 @@ export function between(module, a, b, options = {}) {
 }
 
 export function shadow(module, lights, occluders, options = {}) {
-  checkOptions(options, ['pairs', 'reach', 'contact', 'planes']);
+  checkOptions(options, ['pairs', 'reach', 'contact', 'planes', 'planesLights', 'planesOccluders']);
   const contact = asContact(options);
   const {count, write} = pairsOf(lights, occluders, ['lights', 'occluders'], options);
   return formed(module, count, false, (range, scratch) => {
@@ -241,13 +262,15 @@ export function shadow(module, lights, occluders, options = {}) {
 }
 
 function moving(module, make, bodies, vectors, name, options = {}) {
-  checkOptions(options, ['contact', 'planes']);
+  checkOptions(options, ['contact', 'planes', 'planesBodies']);
   const contact = asContact(options);
-  const [boxes, travels, count] =
-      aligned(asFloats(bodies, 6, 'bodies'), 6, 'bodies', asFloats(vectors, 3, name), 3, name);
+  const given = asFloats(bodies, 6, 'bodies');
+  const [boxes, travels, count] = aligned(given, 6, 'bodies', asFloats(vectors, 3, name), 3, name);
   return formed(module, count, false, (range, scratch) => {
     const source = sourceOf(scratch, 'boxes', boxes, 'bodies');
-    const [planes, planeCount] = planesFor(options.planes, count);
+    const all = asFloats(options.planes ?? [], 4, 'planes');
+    const planes = planesFor(all, options.planesBodies, 'planesBodies', given.length / 6, count);
+    const planeCount = BigInt(planes.length / 4);
     module.call(make, ...range, source.pointer, scratch.copy(travels), scratch.copy(planes), planeCount);
     module.call('shaftcull_shafts_set_contact', ...range, contact);
   });

@@ -589,6 +589,42 @@ describe('shafts', () => {
     assert.deepEqual([...tree.countMany(swept)], [1, 1]);
   });
 
+  test('are cut by planes of their boxes', () => {
+    const below = random(41);
+    const [a, b, bodies] = [boxesOf(6, 42), boxesOf(6, 43), boxesOf(6, 44)];
+    const planesOf = (count) => Float32Array.from(
+        {length: 4 * count}, (_, i) => (i % 4 < 3 ? below(9) - 4.5 : below(400)));
+    const [planes, ofA, ofB] = [planesOf(1), planesOf(12), planesOf(6)];
+    const tree = shaftcull.boxTree(boxesOf(400, 45, 100, 20));
+    const pairs = [0, 5, 2, 2, 5, 1];
+    const part = (floats, i, per) => floats.subarray(i * per, (i + 1) * per);
+    const one = (i, j) => [...planes, ...part(ofA, i, 8), ...part(ofB, j, 4)];
+    for (const contact of ['closed', 'open']) {
+      const shafts = shaftcull.between(a, b, {pairs, contact, planes, planesA: ofA, planesB: ofB});
+      const alike = upTo(3).map((s) => {
+        const [i, j] = pairs.slice(2 * s);
+        return shaftcull.between(part(a, i, 6), part(b, j, 6), {contact, planes: one(i, j)});
+      });
+      assert.deepEqual(listsOf(tree.listMany(shafts)), alike.map((shaft) => tree.list(shaft)));
+    }
+    const fan = shaftcull.between(a.subarray(0, 6), b, {planesA: part(ofA, 0, 8), planesB: ofB});
+    const rays = upTo(6).map((j) => shaftcull.between(part(a, 0, 6), part(b, j, 6), {planes: one(0, j).slice(4)}));
+    assert.deepEqual(listsOf(tree.listMany(fan)), rays.map((shaft) => tree.list(shaft)));
+    assert(tree.countMany(fan).some((count) => count > 0));
+    assert.notDeepEqual(tree.countMany(fan), tree.countMany(shaftcull.between(a.subarray(0, 6), b)));
+    const swept = shaftcull.swept(bodies, [9, 9, 30], {planes, planesBodies: ofB});
+    const moves = upTo(6).map((i) => shaftcull.swept(part(bodies, i, 6), [9, 9, 30], {
+      planes: [...planes, ...part(ofB, i, 4)],
+    }));
+    assert.deepEqual(listsOf(tree.listMany(swept)), moves.map((shaft) => tree.list(shaft)));
+    const lights = Float32Array.from(boxesOf(6, 46), (x) => x - 500);
+    const shadows = shaftcull.shadow(lights, b, {planesLights: ofA, planesOccluders: ofB});
+    const cast = upTo(6).map((i) => shaftcull.shadow(part(lights, i, 6), part(b, i, 6), {planes: one(i, i).slice(4)}));
+    assert.deepEqual(listsOf(tree.listMany(shadows)), cast.map((shaft) => tree.list(shaft)));
+    assert.throws(() => shaftcull.between(a, b, {planesB: planesOf(7)}), /planesB has 7 planes for 6 boxes/);
+    assert.equal(shaftcull.between([], lamp, {planesB: planes}).length, 0);
+  });
+
   test('have joining planes that no point of their boxes is outside of', () => {
     const planes = shaftcull.between(lamp, table).joiningPlanes();
     assert.equal(planes.length, 24);

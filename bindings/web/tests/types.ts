@@ -10,6 +10,7 @@ const shaftcull: Shaftcull = await load(new Uint8Array());
 const boxes: Floats = roundOutwards([0, 0, 0, 1, 1, 1]);
 const tree: BoxTree = shaftcull.boxTree(boxes);
 const shafts: Shafts = shaftcull.between(boxes, [2, 2, 2, 3, 3, 3], {contact: 'open', pairs: [0, 0]});
+shaftcull.shadow(boxes, boxes, {planes: [], planesLights: [], planesOccluders: [], contact: 'open', reach: 2});
 const view: Hull = shaftcull.frustum(new Float32Array(16), 'zero_to_one');
 const every: readonly Bounds[] = [tree, shaftcull.sphereStream([]), shaftcull.triangleTree([], [])];
 export const numbers: number[] = every.map((bounds) => bounds.count(view) + bounds.list(shafts, {at: 1}).length);
@@ -42,7 +43,7 @@ export const answers: Answer[] = volumes.map((volume) => volume.classify(boxes, 
 export const is: boolean[] = [view.keeps(boxes), shafts.occludedByBox(boxes), shafts.occludedByPolygon([], {at: 1})];
 export const inside: Uint32Array[] = every.map((bounds) => bounds.listClassified(view, {exclude: [0]}).inside);
 
-const seen: Visibility = shaftcull.visibility({patches: boxes, solids: boxes, polygons: [[0, 0, 0]], candidates: false});
+const seen: Visibility = shaftcull.visibility({patches: boxes, solids: boxes, polygons: [], candidates: false});
 export const visible: number = shaftcull.countVisibility({patches: boxes, hulls: []}).clear + seen.bits('clear').length;
 const sights: Sight[] = ['clear', 'facing_away'];
 export const pairs: Uint32Array[] = sights.map((sight) => seen.pairs(sight));
@@ -70,6 +71,8 @@ tree.countMany(view);
 shaftcull.sphereTree([]).occludedMany(shafts);
 // @ts-expect-error: solids are not asked about candidates
 tree.findOccluder(shafts, {only: [0]});
+// @ts-expect-error: a moving body is one box
+shaftcull.swept(boxes, [1, 0, 0], {planesB: []});
 // @ts-expect-error: streams have no order
 shaftcull.boxStream([]).order;
 // @ts-expect-error: trees of triangles are not updated
