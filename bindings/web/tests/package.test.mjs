@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The package as a user has it. SHAFTCULL_PACKAGE names its folder.
 import assert from 'node:assert/strict';
-import {readFile} from 'node:fs/promises';
+import {readFile, readdir} from 'node:fs/promises';
 import {join, relative} from 'node:path';
 import {cwd, env} from 'node:process';
 import {before, describe, test} from 'node:test';
@@ -119,6 +119,18 @@ describe('loading', () => {
     shaftcull.instructionSet = 'portable128';
     const refusal = /avx2 is not available here; this machine has scalar, portable128/;
     assert.throws(() => (shaftcull.instructionSet = 'avx2'), refusal);
+  });
+
+  test('reaches every function of the C interface, except those that mean nothing here', async () => {
+    const scripts = (await readdir(folder)).filter((name) => name.endsWith('.js'));
+    const text = (await Promise.all(scripts.map((name) => readFile(join(folder, name), 'utf8')))).join('');
+    const module = await WebAssembly.compile(await readFile(join(folder, 'shaftcull.wasm')));
+    const names = WebAssembly.Module.exports(module).map(({name}) => name).filter((name) => /^shaftcull_/.test(name));
+    assert.deepEqual(names.filter((name) => !new RegExp(`\\b${name}\\b`).test(text)).sort(), [
+      'shaftcull_concurrency', 'shaftcull_error_message', 'shaftcull_error_position', 'shaftcull_isa_asked',
+      'shaftcull_set_error_handler', 'shaftcull_shafts_count', 'shaftcull_sight_name', 'shaftcull_version',
+      'shaftcull_view_create', 'shaftcull_view_set', 'shaftcull_visibility_bits',
+    ]);
   });
 });
 
