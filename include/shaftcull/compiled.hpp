@@ -98,9 +98,12 @@ class SHAFTCULL_EXPORT CompiledShaft {
 /// `planes` are up to max_added_planes half-spaces that bounds must also meet: the plane of an emitter or receiver, a
 /// clip plane. A bound that is fully outside any one of them is outside. Each takes a few nanoseconds. Throws
 /// InvalidArgument for a plane that is not finite or whose normal is zero, by its position, and for more planes.
-[[nodiscard]] SHAFTCULL_EXPORT CompiledShaft compile(const Box& a, const Box& b, std::span<const Plane> planes = {});
+///
+/// `contact` is what set_contact() would choose.
+[[nodiscard]] SHAFTCULL_EXPORT CompiledShaft compile(const Box& a, const Box& b, std::span<const Plane> planes = {},
+                                                     Contact contact = Contact::closed);
 
-/// The same with the contact that set_contact() would choose.
+/// The same without planes.
 [[nodiscard]] SHAFTCULL_EXPORT CompiledShaft compile(const Box& a, const Box& b, Contact contact);
 
 /// Planes that compile_batch() adds to its shafts: those of the shaft's box a, then those of its box b. Examples are

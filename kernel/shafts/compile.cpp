@@ -50,7 +50,8 @@ CompiledShaft compile(const Shaft& shaft) noexcept {
   return kernel::in_float_environment([&] { return compile_formed(shaft); });
 }
 
-CompiledShaft compile(const Box& a, const Box& b, std::span<const Plane> planes) {
+CompiledShaft compile(const Box& a, const Box& b, std::span<const Plane> planes, Contact contact) {
+  kernel::require_contact(contact);
   CompiledShaft compiled;
   kernel::ShaftData& shaft = kernel::data_of(compiled);
   if (!planes.empty()) kernel::require_planes(planes);
@@ -59,18 +60,14 @@ CompiledShaft compile(const Box& a, const Box& b, std::span<const Plane> planes)
     const kernel::Kernels& kernels = kernel::active_kernels();
     if (!kernels.compile_pair(a, b, shaft)) return false;
     kernel::add_planes(kernels, planes, shaft.b, shaft);
+    if (contact != Contact::closed) kernel::apply_contact(shaft, contact);
     return true;
   }();
   if (!is_formed) static_cast<void>(Shaft(a, b));  // throws, and says why
   return compiled;
 }
 
-CompiledShaft compile(const Box& a, const Box& b, Contact contact) {
-  kernel::require_contact(contact);
-  CompiledShaft compiled = compile(a, b);
-  kernel::in_float_environment([&] { kernel::apply_contact(kernel::data_of(compiled), contact); });
-  return compiled;
-}
+CompiledShaft compile(const Box& a, const Box& b, Contact contact) { return compile(a, b, {}, contact); }
 
 void set_contact(CompiledShaft& shaft, Contact contact) { set_contact(std::span(&shaft, 1), contact); }
 

@@ -129,10 +129,12 @@ TEST(CompilePair, PlanesAreThoseOfABatchToTheBit) {
     for (int i = 0; i != 300; ++i) {
       const ShaftInput input = random_shaft(random);
       const Plane planes[] = {plane_through(random, input.a.lo, false), plane_through(random, input.b.hi, true)};
+      const Contact contact = i % 2 == 0 ? Contact::closed : Contact::open;
       CompiledShaft batch;
       compile_batch(BoxColumns({input.a}).view(), BoxColumns({input.b}).view(), std::span(&batch, 1),
-                    {.a = std::span(planes).first(1), .b = std::span(planes).last(1)});
-      CompiledShaft shaft = compile(input.a, input.b, planes);
+                    {.a = std::span(planes).first(1), .b = std::span(planes).last(1)}, contact);
+      CompiledShaft shaft = compile(input.a, input.b, planes, contact);
+      ASSERT_EQ(shaft.contact(), contact);
       complete(batch);
       complete(shaft);
       expect_equal(shaft, batch);
