@@ -13,10 +13,6 @@
 namespace shaftcull::kernel {
 namespace {
 
-/// Most bounds in a chunk: enough that the fixed cost of a kernel call vanishes, and few enough for bits on the stack.
-constexpr std::size_t chunk_bounds = 16384;
-/// The first chunk of a call that may end early; each has twice as many as the one before.
-constexpr std::size_t first_chunk_bounds = 512;
 /// Candidates in a chunk: their bounds are copied to the stack.
 constexpr std::size_t chunk_candidates = 512;
 
@@ -37,14 +33,6 @@ void for_each_bit(const std::uint64_t* bits, std::size_t words, const Use& use) 
 
 }  // namespace
 
-/// Bits of bounds, or candidates, from `first` on, a multiple of 64. `inside` is not written for Question::kept.
-struct ScannedChunk {
-  std::size_t first;
-  std::size_t words;
-  std::uint64_t* kept;
-  const std::uint64_t* inside;
-};
-
 Scan::Scan(const ShaftData& shaft, const ScannedBounds& bounds, Question question, const Options& options,
            std::size_t s, const Kernels& kernels) noexcept
     : test_(kernels, question, bounds.streams.kind, options.triangle_test()),
@@ -54,9 +42,7 @@ Scan::Scan(const ShaftData& shaft, const ScannedBounds& bounds, Question questio
       kernels_(kernels),
       question_(question) {}
 
-/// Calls visit(chunk) until it returns false. The first chunk has `chunk` bounds at most.
-template <class Visit>
-void Scan::for_each_chunk(std::size_t chunk, const Visit& visit) const {
+void Scan::for_each_chunk(std::size_t chunk, Visit visit) const {
   const FloatEnvironment environment;
   if (bounds_.candidates) {
     for_each_chunk_of_candidates(visit);
@@ -67,22 +53,21 @@ void Scan::for_each_chunk(std::size_t chunk, const Visit& visit) const {
 
 // Not inlined, so that the memory of one is not on the stack of the other.
 
-template <class Visit>
-SHAFTCULL_NOINLINE void Scan::for_each_chunk_of_view(std::size_t chunk, const Visit& visit) const {
-  const bool both = asks_for_inside(question_);
+SHAFTCULL_NOINLINE void Scan::for_each_chunk_of_view(std::size_t chunk, Visit visit) const {
   const BoundStreams& bounds = bounds_.streams;
   std::uint64_t kept[bit_words(chunk_bounds)];
-  std::uint64_t inside[bit_words(chunk_bounds)];
+  std::uint64_t inside_memory[bit_words(chunk_bounds)];
+  std::uint64_t* const inside = asks_for_inside(question_) ? inside_memory : nullptr;
   // The first chunk has the pointers of the view: reading copies that have just been written would cost a small view
   // as much as its test.
   const float* const* stream = bounds.stream;
   const float* part[9];
   for (std::size_t first = 0; first != bounds.count;) {
     const std::size_t size = std::min(chunk, bounds.count - first);
-    test_(shaft_.shaft(), stream, size, kept, both ? inside : nullptr);
+    test_(shaft_.shaft(), stream, size, kept, inside);
     left_out_.clear(first, size, kept);
-    if (both) left_out_.clear(first, size, inside);
-    if (!visit(ScannedChunk{first, bit_words(size), kept, inside})) return;
+    left_out_.clear(first, size, inside);
+    if (!visit({first, bit_words(size), kept, inside})) return;
     first += size;
     chunk = std::min(2 * chunk, chunk_bounds);
     for (std::size_t r = 0; r != bounds.rows; ++r) part[r] = bounds.stream[r] + first;
@@ -90,23 +75,22 @@ SHAFTCULL_NOINLINE void Scan::for_each_chunk_of_view(std::size_t chunk, const Vi
   }
 }
 
-template <class Visit>
-SHAFTCULL_NOINLINE void Scan::for_each_chunk_of_candidates(const Visit& visit) const {
-  const bool both = asks_for_inside(question_);
+SHAFTCULL_NOINLINE void Scan::for_each_chunk_of_candidates(Visit visit) const {
   const std::span<const std::uint32_t> candidates = *bounds_.candidates;
   float memory[9][chunk_candidates];
   const std::array<float*, 9> row = rows_in(memory);
   const float* stream[9];
   std::copy(row.begin(), row.end(), stream);
   std::uint64_t kept[bit_words(chunk_candidates)];
-  std::uint64_t inside[bit_words(chunk_candidates)];
+  std::uint64_t inside_memory[bit_words(chunk_candidates)];
+  std::uint64_t* const inside = asks_for_inside(question_) ? inside_memory : nullptr;
   for (std::size_t first = 0; first < candidates.size(); first += chunk_candidates) {
     const std::size_t size = std::min(chunk_candidates, candidates.size() - first);
     gather(bounds_.streams, candidates, bounds_.position, first, size, row.data());
-    test_(shaft_.shaft(), stream, size, kept, both ? inside : nullptr);
+    test_(shaft_.shaft(), stream, size, kept, inside);
     left_out_.clear(first, size, kept);
-    if (both) left_out_.clear(first, size, inside);
-    if (!visit(ScannedChunk{first, bit_words(size), kept, inside})) return;
+    left_out_.clear(first, size, inside);
+    if (!visit({first, bit_words(size), kept, inside})) return;
   }
 }
 
@@ -140,27 +124,6 @@ void Scan::write_bits(std::uint64_t* kept, std::uint64_t* inside) const noexcept
     set(inside, chunk, chunk.inside);
     return true;
   });
-}
-
-std::size_t Scan::count(std::size_t limit) const noexcept {
-  std::size_t count = 0;
-  if (limit == 0) return 0;
-  for_each_chunk(chunk_for(limit), [&](const ScannedChunk& chunk) {
-    count += kernels_.set_bits.count(chunk.kept, chunk.words);
-    return count < limit;
-  });
-  return std::min(count, limit);
-}
-
-KeptCounts Scan::count_classified() const noexcept {
-  KeptCounts counts{};
-  for_each_chunk(chunk_bounds, [&](const ScannedChunk& chunk) {
-    const std::size_t insides = kernels_.set_bits.count(chunk.inside, chunk.words);
-    counts.inside += insides;
-    counts.overlap += kernels_.set_bits.count(chunk.kept, chunk.words) - insides;  // bounds that are inside are kept
-    return true;
-  });
-  return counts;
 }
 
 std::size_t Scan::list(std::span<std::uint32_t> kept, std::size_t limit) const noexcept {
@@ -216,22 +179,12 @@ KeptCounts Scan::list_classified(std::span<std::uint32_t> overlap, std::span<std
   IndexWriter overlaps(kernels_.set_bits, overlap);
   IndexWriter insides(kernels_.set_bits, inside);
   for_each_chunk(chunk_bounds, [&](const ScannedChunk& chunk) {
-    // NOLINTNEXTLINE(clang-analyzer-core.uninitialized.Assign): the question asks for both
     for (std::size_t w = 0; w != chunk.words; ++w) chunk.kept[w] &= ~chunk.inside[w];
     overlaps.add(chunk.first, chunk.kept, chunk.words);
     insides.add(chunk.first, chunk.inside, chunk.words);
     return true;
   });
   return {overlaps.count(), insides.count()};
-}
-
-bool Scan::any() const noexcept {
-  bool any = false;
-  for_each_chunk(first_chunk_bounds, [&](const ScannedChunk& chunk) {
-    any = std::any_of(chunk.kept, chunk.kept + chunk.words, [](std::uint64_t word) { return word != 0; });
-    return !any;
-  });
-  return any;
 }
 
 std::optional<std::uint32_t> Scan::first_kept() const noexcept {

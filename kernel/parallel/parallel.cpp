@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "parallel/parallel.hpp"
 
+#include "shaftcull/many.hpp"
 #include "support/float_environment.hpp"
 
 #if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
@@ -198,3 +199,9 @@ void free_task_memory(void* memory, std::size_t bytes) noexcept {
 #endif
 
 }  // namespace shaftcull::kernel
+
+namespace SHAFTCULL_INTERFACE shaftcull {
+
+int concurrency() noexcept { return kernel::threads_here(); }
+
+}  // namespace shaftcull

@@ -29,24 +29,6 @@ void write_bits(const TreeQuery& query, std::size_t s, std::uint64_t* kept, std:
   }
 }
 
-std::size_t count(const TreeQuery& query, std::size_t s, std::size_t limit) {
-  if (limit == 0) return 0;
-  if (limit == Query::no_limit) {
-    Counter counter(query.kernels());
-    query.walk(s, counter);
-    return counter.count();
-  }
-  LimitedCounter counter(limit);
-  query.walk(s, counter);
-  return counter.count();
-}
-
-KeptCounts count_classified(const TreeQuery& query, std::size_t s) {
-  ClassCounter counter(query.kernels());
-  query.walk(s, counter);
-  return counter.counts();
-}
-
 std::size_t list(const TreeQuery& query, std::size_t s, std::span<std::uint32_t> kept, std::size_t limit) {
   if (limit == 0) return 0;
   SpanOutput<std::uint32_t> output(kept);
@@ -67,12 +49,6 @@ KeptCounts list_classified(const TreeQuery& query, std::size_t s, std::span<std:
   ClassLister lister(SpanList(query.indices(), overlaps), SpanList(query.indices(), insides));
   query.walk(s, lister);
   return {overlaps.count(), insides.count()};
-}
-
-bool any(const TreeQuery& query, std::size_t s) {
-  Finder visitor;
-  query.walk(s, visitor);
-  return visitor.is_done();
 }
 
 std::optional<std::uint32_t> first_kept(const TreeQuery& query, std::size_t s) {

@@ -14,12 +14,9 @@ namespace shaftcull::kernel {
 
 /// Writes bits by the user's index. Rows that are null are not written; there is one for each answer asked for.
 void write_bits(const TreeQuery& query, std::size_t s, std::uint64_t* kept, std::uint64_t* inside);
-[[nodiscard]] std::size_t count(const TreeQuery& query, std::size_t s, std::size_t limit);
-[[nodiscard]] KeptCounts count_classified(const TreeQuery& query, std::size_t s);
 std::size_t list(const TreeQuery& query, std::size_t s, std::span<std::uint32_t> kept, std::size_t limit);
 KeptCounts list_classified(const TreeQuery& query, std::size_t s, std::span<std::uint32_t> overlap,
                            std::span<std::uint32_t> inside);
-[[nodiscard]] bool any(const TreeQuery& query, std::size_t s);
 /// The first in tree order.
 [[nodiscard]] std::optional<std::uint32_t> first_kept(const TreeQuery& query, std::size_t s);
 

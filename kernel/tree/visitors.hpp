@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
-/// Results of the leaves that a walk finds: bits, counts, lists of indices.
+/// Results of the leaves that a walk finds: bits and lists of indices. Counts: query/counters.hpp.
 #pragma once
 
-#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 
+#include "query/counters.hpp"
 #include "query/outputs.hpp"
-#include "shaftcull/results.hpp"
 #include "support/compiler.hpp"
 #include "tree/kept_leaves.hpp"
 #include "tree/leaf_indices.hpp"
@@ -90,35 +89,6 @@ class IndexBits {
   std::uint64_t* words_;
 };
 
-/// Visitor that sees whether anything is kept, and then ends the walk.
-class Finder {
- public:
-  void word(std::size_t /*first*/, std::uint64_t kept, std::uint64_t /*inside*/) noexcept { found_ |= kept != 0; }
-  void range(std::size_t /*first*/, std::size_t size) noexcept { found_ |= size != 0; }
-  [[nodiscard]] bool is_done() const noexcept { return found_; }
-
- private:
-  bool found_ = false;
-};
-
-/// Visitor that counts kept leaves, and ends the walk at `limit` or somewhat later.
-class LimitedCounter {
- public:
-  explicit LimitedCounter(std::size_t limit) noexcept : limit_(limit) {}
-
-  void word(std::size_t /*first*/, std::uint64_t kept, std::uint64_t /*inside*/) noexcept {
-    count_ += static_cast<std::size_t>(std::popcount(kept));
-  }
-  void range(std::size_t /*first*/, std::size_t size) noexcept { count_ += size; }
-  [[nodiscard]] bool is_done() const noexcept { return count_ >= limit_; }
-  /// At most `limit`.
-  [[nodiscard]] std::size_t count() const noexcept { return std::min(count_, limit_); }
-
- private:
-  std::size_t limit_;
-  std::size_t count_ = 0;
-};
-
 /// Visitor that lists kept leaves, the first `limit` of them, and then ends the walk.
 template <class List>
 class LimitedLister {
@@ -172,38 +142,6 @@ class FirstFinder {
  private:
   LeafIndices indices_;
   std::optional<std::uint32_t> found_;
-};
-
-/// Visitor that counts what overlaps and what is inside.
-class ClassCounter {
- public:
-  explicit ClassCounter(const Kernels& kernels) noexcept : count_bits_(kernels.set_bits.count) {}
-
-  void words(const FoundWords& found) noexcept {
-    const std::size_t inside = count_bits_(found.inside, found.words);
-    counts_.overlap += count_bits_(found.kept, found.words) - inside;
-    counts_.inside += inside;
-  }
-  void range(std::size_t /*first*/, std::size_t size) noexcept { counts_.inside += size; }
-  [[nodiscard]] const KeptCounts& counts() const noexcept { return counts_; }
-
- private:
-  decltype(SetBits::count) count_bits_;
-  KeptCounts counts_{};
-};
-
-/// Visitor that counts what is kept.
-class Counter {
- public:
-  explicit Counter(const Kernels& kernels) noexcept : count_bits_(kernels.set_bits.count) {}
-
-  void words(const FoundWords& found) noexcept { count_ += count_bits_(found.kept, found.words); }
-  void range(std::size_t /*first*/, std::size_t size) noexcept { count_ += size; }
-  [[nodiscard]] std::size_t count() const noexcept { return count_; }
-
- private:
-  decltype(SetBits::count) count_bits_;
-  std::size_t count_ = 0;
 };
 
 /// Visitor that lists what is kept.
@@ -277,15 +215,14 @@ class ClassLister {
   List inside_;
 };
 
-/// Gives a visitor, as those above, what a walk finds. Besides word(), or words() for many at once, and range() it may
-/// have
+/// Gives a visitor, as those above or a counter, what a walk finds. Besides word(), or words() for many at once, and
+/// range() it may have
 ///
 ///     is_done()                        whether it has seen enough: the walk ends there
 ///     static reads_indices             whether it reads the user's indices of leaves
 ///     static looks_into_leaves         whether leaves are boxes around what it looks for
 template <class Visitor>
 class WordByWord final : public LeafVisitor {
-  static constexpr bool may_end_early = requires(const Visitor& visitor) { visitor.is_done(); };
   static constexpr bool looks_into_leaves = requires { Visitor::looks_into_leaves; };
   static constexpr bool reads_indices() noexcept {
     if constexpr (requires { Visitor::reads_indices; }) return Visitor::reads_indices;
@@ -293,7 +230,7 @@ class WordByWord final : public LeafVisitor {
   }
 
  public:
-  static constexpr VisitorTraits traits{may_end_early, reads_indices(), looks_into_leaves};
+  static constexpr VisitorTraits traits{EndsEarly<Visitor>, reads_indices(), looks_into_leaves};
 
   explicit WordByWord(Visitor& visitor) noexcept : visitor_(visitor) {}
 
@@ -305,31 +242,25 @@ class WordByWord final : public LeafVisitor {
       for (std::size_t i = 0; i != words; ++i) {
         if (kept[i] == 0) continue;
         visitor_.word(std::size_t{word[i]} * fanout, kept[i], inside != nullptr ? inside[i] : 0);
-        if (is_done()) return false;
+        if (is_done(visitor_)) return false;
       }
     }
-    return !is_done();
+    return !is_done(visitor_);
   }
   bool word(std::size_t first, std::uint64_t kept, std::uint64_t inside) override {
     if constexpr (requires { visitor_.word(first, kept, inside); }) {
       visitor_.word(first, kept, inside);
     } else {
-      static constexpr std::uint32_t somewhere = 0;  // visitors of many words at once do not ask where they are
-      visitor_.words({&somewhere, &kept, &inside, 1});
+      visitor_.words({nullptr, &kept, &inside, 1});
     }
-    return !is_done();
+    return !is_done(visitor_);
   }
   bool range(std::size_t first, std::size_t size) override {
     visitor_.range(first, size);
-    return !is_done();
+    return !is_done(visitor_);
   }
 
  private:
-  [[nodiscard]] bool is_done() const noexcept {
-    if constexpr (may_end_early) return visitor_.is_done();
-    return false;
-  }
-
   Visitor& visitor_;
 };
 

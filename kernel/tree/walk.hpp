@@ -13,6 +13,7 @@
 #include "compiled/contact.hpp"
 #include "compiled/with_planes.hpp"
 #include "kernels/kernel_table.hpp"
+#include "query/counters.hpp"
 #include "query/question.hpp"
 #include "support/compiler.hpp"
 #include "support/prefetch.hpp"
@@ -20,15 +21,6 @@
 #include "tree/parts.hpp"
 
 namespace shaftcull::kernel {
-
-/// Words of leaves that a walk has found: of the leaves 64 · word[i] … 64 · word[i] + 63, kept[i] are kept and
-/// inside[i] inside, maybe none. `inside` is null for Question::kept and Question::blocking.
-struct FoundWords {
-  const std::uint32_t* word;
-  const std::uint64_t* kept;
-  const std::uint64_t* inside;
-  std::size_t words;
-};
 
 /// What becomes of the leaves that a walk finds. Is given all that the shaft keeps, in tree order.
 class LeafVisitor {

@@ -47,6 +47,16 @@ class Asked {
   [[nodiscard]] Scan scan(std::size_t s) const noexcept {
     return {shafts_[s], scanned_, question_, options_, s, kernels_};
   }
+  /// The counter (query/counters.hpp) when it has seen what shaft s keeps, by a scan or a walk.
+  template <class AnyCounter>
+  [[nodiscard]] AnyCounter counted(std::size_t s, AnyCounter counter) const {
+    if (walks_ != nullptr) {
+      walks_->walk(s, counter);
+    } else {
+      scan(s).scan(counter);
+    }
+    return counter;
+  }
   [[nodiscard]] Question question() const noexcept { return question_; }
 
   /// Throws InvalidArgument for a view of more bounds than indices tell apart.

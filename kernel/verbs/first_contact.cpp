@@ -115,8 +115,7 @@ void first_contact_many(std::span<const CompiledShaft> shafts, const Bounds& bou
     return asked.kind() == kernel::BoundKind::spheres ? write_contacts<SphereView>(asked, contacts)
                                                       : write_contacts<BoxView>(asked, contacts);
   }
-  kernel::for_each_shaft(shafts.size(), asked.walks() == nullptr ? 1 : kernel::task_walks,
-                         [&](std::size_t s) { contacts[s] = contact_of(asked, s); });
+  kernel::for_each_shaft(asked, [&](std::size_t s) { contacts[s] = contact_of(asked, s); });
 }
 
 }  // namespace shaftcull

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// occluded() and its like for one shaft; those for many are in many_shafts.cpp.
+/// occluded() by one box or polygon, and find_occluder(). occluded() by many: counts.cpp; list_occluders(): lists.cpp.
 #include "shaftcull/occluded.hpp"
 
 #include <algorithm>
@@ -18,14 +18,6 @@
 #include "verbs/asked.hpp"
 
 namespace SHAFTCULL_INTERFACE shaftcull {
-namespace {
-
-using kernel::Asked;
-using kernel::Question;
-
-constexpr kernel::Takes nothing{.only = false};
-
-}  // namespace
 
 bool occluded(const CompiledShaft& shaft, const Box& solid) {
   const kernel::ShaftData& data = kernel::data_of(shaft);
@@ -50,28 +42,11 @@ bool occluded(const CompiledShaft& shaft, std::span<const Vec3> polygon) {
   return kernel::in_float_environment([&] { return kernel::polygon_blocks(data, polygon); });
 }
 
-bool occluded(const CompiledShaft& shaft, const Bounds& solids, const Query& query) {
-  const Asked asked("occluded", {&shaft, 1}, solids, Question::blocking, query, nothing);
-  if (const kernel::TreeQuery* const walks = asked.walks()) return kernel::any(*walks, 0);
-  return asked.scan(0).any();
-}
-
 std::optional<std::uint32_t> find_occluder(const CompiledShaft& shaft, const Bounds& solids, const Query& query) {
-  const Asked asked("find_occluder", {&shaft, 1}, solids, Question::blocking, query, nothing);
+  const kernel::Asked asked("find_occluder", {&shaft, 1}, solids, kernel::Question::blocking, query, {.only = false});
   asked.require_index_width();
   if (const kernel::TreeQuery* const walks = asked.walks()) return kernel::first_kept(*walks, 0);
   return asked.scan(0).first_kept();
-}
-
-std::size_t list_occluders(const CompiledShaft& shaft, const Bounds& solids, std::span<std::uint32_t> blocking,
-                           const Query& query) {
-  const Asked asked("list_occluders", {&shaft, 1}, solids, Question::blocking, query, {.limit = true, .only = false});
-  asked.require_index_width();
-  kernel::require_memory("blocking", blocking, "indices");
-  asked.options().require_apart("blocking", kernel::bytes_of(blocking));
-  const std::size_t limit = asked.options().limit();
-  if (const kernel::TreeQuery* const walks = asked.walks()) return kernel::list(*walks, 0, blocking, limit);
-  return asked.scan(0).list(blocking, limit);
 }
 
 }  // namespace shaftcull

@@ -50,7 +50,7 @@ TEST(TreeAny, EndsAtTheFirstBoundThatIsKept) {
   const std::size_t all = words_tested_by(counter, tree, shaft);
   kernel::Finder finder;
   const std::size_t few = words_tested_by(finder, tree, shaft);
-  EXPECT_GT(counter.count(), 1000U);
+  EXPECT_GT(counter.result(), 1000U);
   EXPECT_TRUE(finder.is_done());
   EXPECT_GT(all, 100U);
   EXPECT_LE(few, 20U) << "of " << all;
@@ -88,10 +88,10 @@ TEST(TreeLimit, EndsSoonAfterItHasFoundEnough) {
   const CompiledShaft shaft = compile({{-6, -6, 0}, {6, 6, 0.01F}}, {{-6, -6, 0}, {6, 6, 0.01F}});
   kernel::Counter counter(kernel::active_kernels());
   const std::size_t all = words_tested_by(counter, tree, shaft);
-  for (const std::size_t most : {std::size_t{1}, std::size_t{10}, counter.count() / 10}) {
-    kernel::LimitedCounter limited(most);
-    EXPECT_LE(words_tested_by(limited, tree, shaft), 20 + all * most / counter.count() * 2) << most << ", " << all;
-    EXPECT_EQ(limited.count(), most);
+  for (const std::size_t most : {std::size_t{1}, std::size_t{10}, counter.result() / 10}) {
+    kernel::LimitedCounter limited(kernel::active_kernels(), most);
+    EXPECT_LE(words_tested_by(limited, tree, shaft), 20 + all * most / counter.result() * 2) << most << ", " << all;
+    EXPECT_EQ(limited.result(), most);
   }
 }
 

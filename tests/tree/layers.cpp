@@ -373,7 +373,7 @@ TEST(TreeLayerWalk, PassesOverNodesOfOtherLayers) {
     words_tested = 0;
     kernel::Counter counter(kernels);
     walk(parts, kernels, shaft, kernel::Question::kept, counter, {parts.layers, parts.level.data(), mask, kernels});
-    EXPECT_EQ(counter.count(), flat_answers(shaft, boxes, layers, mask).kept().size());
+    EXPECT_EQ(counter.result(), flat_answers(shaft, boxes, layers, mask).kept().size());
     return words_tested;
   };
   const std::size_t all = words_for_layers(3);

@@ -1,25 +1,29 @@
 // SPDX-License-Identifier: MIT
-/// The verbs for one shaft (shaftcull/cull.hpp).
-#include "shaftcull/cull.hpp"
-
-#include <algorithm>
+/// Verbs of bits: cull() and classify(), of one shaft and of many.
 #include <variant>
 
 #include "compiled/answers.hpp"
 #include "dispatch/active_kernels.hpp"
+#include "flat/batch_job.hpp"
+#include "flat/tiling.hpp"
+#include "parallel/parallel.hpp"
+#include "shaftcull/cull.hpp"
+#include "shaftcull/many.hpp"
 #include "support/arguments.hpp"
 #include "support/compiler.hpp"
 #include "support/float_environment.hpp"
 #include "tree/tree_answers.hpp"
 #include "verbs/asked.hpp"
+#include "verbs/each_shaft.hpp"
+#include "verbs/stream_tests.hpp"
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 namespace {
 
 using kernel::Asked;
 using kernel::bytes_of;
+using kernel::IndexRange;
 using kernel::Question;
-using kernel::TreeQuery;
 
 /// Bits of bounds, called `name` in messages, have exactly the right size, and memory of their own.
 void require_bits(const Asked& asked, const char* name, std::span<const std::uint64_t> words) {
@@ -27,25 +31,24 @@ void require_bits(const Asked& asked, const char* name, std::span<const std::uin
   asked.options().require_apart(name, bytes_of(words));
 }
 
-/// Indices, called `name` in messages, may be written there.
-void require_indices(const Asked& asked, const char* name, std::span<const std::uint32_t> indices,
-                     bool may_begin_at_only) {
-  asked.require_index_width();
-  kernel::require_memory(name, indices, "indices");
-  asked.options().require_apart(name, bytes_of(indices), may_begin_at_only);
+void require_rows(const Asked& asked, const char* name, std::span<const std::uint64_t> words) {
+  kernel::require_rows(name, words, asked.shafts().size(), asked.row_words());
+  asked.options().require_apart(name, bytes_of(words));
 }
+
+/// Bits of shaft s by a walk, or of candidates.
+void write_row(const Asked& asked, std::size_t s, std::uint64_t* kept, std::uint64_t* inside) {
+  if (const kernel::TreeQuery* const walks = asked.walks()) return kernel::write_bits(*walks, s, kept, inside);
+  asked.scan(s).write_bits(kept, inside);
+}
+
+/// Whether bits are of all bounds of a view.
+bool are_of_view(const Asked& asked) noexcept { return asked.walks() == nullptr && !asked.options().only(); }
 
 void write_bits(const Asked& asked, std::uint64_t* kept, std::uint64_t* inside) {
-  if (const TreeQuery* const walks = asked.walks()) return kernel::write_bits(*walks, 0, kept, inside);
-  if (asked.options().only()) return asked.scan(0).write_bits(kept, inside);
+  if (!are_of_view(asked)) return write_row(asked, 0, kept, inside);
   kernel::write_bits_of_view(asked.shafts()[0], asked.scanned(), asked.question(), asked.options(), asked.kernels(),
                              kept, inside);
-}
-
-std::size_t list_kept(const Asked& asked, std::span<std::uint32_t> kept) {
-  const std::size_t limit = asked.options().limit();
-  if (const TreeQuery* const walks = asked.walks()) return kernel::list(*walks, 0, kept, limit);
-  return asked.scan(0).list(kept, limit);
 }
 
 /// The boxes of a view that a query without options asks about, or null. Asked costs some 20 ns, as much as a test of
@@ -81,6 +84,29 @@ SHAFTCULL_NOINLINE void classify_bounds(const CompiledShaft& shaft, const Bounds
   write_bits(asked, wants_kept ? kept.data() : nullptr, inside.data());
 }
 
+/// Bits of a view: every task writes its words straight into the user's rows.
+void write_rows_of_view(const Asked& asked, std::uint64_t* kept, std::uint64_t* inside) {
+  const kernel::StreamTests tests(asked);
+  const kernel::BatchJob job(tests.get());
+  const kernel::Tiling tiling(asked.size(), asked.shafts().size());
+  kernel::parallel_for(tiling.blocks(), tiling.groups(), [&](std::size_t b, std::size_t g) {
+    const IndexRange block = tiling.block(b);
+    const IndexRange group = tiling.group(g);
+    const std::size_t first = group.first * asked.row_words() + block.first / 64;
+    const kernel::Rows all_kept{kept, asked.row_words()};
+    const kernel::Rows all_inside{inside, asked.row_words()};
+    job.test(block, group, all_kept.from(first), all_inside.from(first));
+  });
+}
+
+void write_rows(const Asked& asked, std::uint64_t* kept, std::uint64_t* inside) {
+  const std::size_t words = asked.row_words();
+  if (words == 0) return;
+  if (are_of_view(asked)) return write_rows_of_view(asked, kept, inside);
+  const auto row = [words](std::uint64_t* rows, std::size_t s) { return rows == nullptr ? nullptr : rows + s * words; };
+  kernel::for_each_shaft(asked, [&](std::size_t s) { write_row(asked, s, row(kept, s), row(inside, s)); });
+}
+
 }  // namespace
 
 void cull(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::uint64_t> kept, const Query& query) {
@@ -107,55 +133,22 @@ void classify(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::u
   classify_bounds(shaft, bounds, kept, inside, query);
 }
 
-std::size_t count(const CompiledShaft& shaft, const Bounds& bounds, const Query& query) {
-  const Asked asked("count", {&shaft, 1}, bounds, Question::kept, query, kernel::takes_limit);
-  const std::size_t limit = asked.options().limit();
-  if (const TreeQuery* const walks = asked.walks()) return kernel::count(*walks, 0, limit);
-  return asked.scan(0).count(limit);
+void cull_many(std::span<const CompiledShaft> shafts, const Bounds& bounds, std::span<std::uint64_t> kept_rows,
+               const Query& query) {
+  const Asked asked("cull_many", shafts, bounds, Question::kept, query, kernel::takes_candidates);
+  require_rows(asked, "kept_rows", kept_rows);
+  write_rows(asked, kept_rows.data(), nullptr);
 }
 
-KeptCounts count_classified(const CompiledShaft& shaft, const Bounds& bounds, const Query& query) {
-  const Asked asked("count_classified", {&shaft, 1}, bounds, Question::kept_and_inside, query,
+void classify_many(std::span<const CompiledShaft> shafts, const Bounds& bounds, std::span<std::uint64_t> kept_rows,
+                   std::span<std::uint64_t> inside_rows, const Query& query) {
+  const bool wants_kept = !kept_rows.empty();
+  const Asked asked("classify_many", shafts, bounds, wants_kept ? Question::kept_and_inside : Question::inside, query,
                     kernel::takes_candidates);
-  if (const TreeQuery* const walks = asked.walks()) return kernel::count_classified(*walks, 0);
-  return asked.scan(0).count_classified();
-}
-
-std::size_t list(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::uint32_t> kept, const Query& query) {
-  const Asked asked("list", {&shaft, 1}, bounds, Question::kept, query, kernel::takes_limit);
-  require_indices(asked, "kept", kept, true);
-  return list_kept(asked, kept);
-}
-
-std::size_t list(const CompiledShaft& shaft, const Bounds& bounds, std::vector<std::uint32_t>& kept,
-                 const Query& query) {
-  const Asked asked("list", {&shaft, 1}, bounds, Question::kept, query, kernel::takes_limit);
-  require_indices(asked, "kept", kept, true);
-  constexpr std::size_t least_room = 256;
-  const bool holds_candidates =
-      asked.options().only() && !kept.empty() && asked.options().only()->data() == kept.data();
-  if (!holds_candidates) kept.resize(std::max(kept.size(), std::min(least_room, asked.size())));
-  std::size_t size = list_kept(asked, kept);
-  const bool fits = size <= kept.size();
-  kept.resize(size);
-  if (!fits) size = list_kept(asked, kept);
-  return size;
-}
-
-KeptCounts list_classified(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::uint32_t> overlap,
-                           std::span<std::uint32_t> inside, const Query& query) {
-  const Asked asked("list_classified", {&shaft, 1}, bounds, Question::kept_and_inside, query, kernel::takes_candidates);
-  require_indices(asked, "overlap", overlap, false);
-  require_indices(asked, "inside", inside, false);
-  kernel::require_apart("list_classified", "overlap", bytes_of(overlap), "inside", bytes_of(inside));
-  if (const TreeQuery* const walks = asked.walks()) return kernel::list_classified(*walks, 0, overlap, inside);
-  return asked.scan(0).list_classified(overlap, inside);
-}
-
-bool any(const CompiledShaft& shaft, const Bounds& bounds, const Query& query) {
-  const Asked asked("any", {&shaft, 1}, bounds, Question::kept, query, kernel::takes_candidates);
-  if (const TreeQuery* const walks = asked.walks()) return kernel::any(*walks, 0);
-  return asked.scan(0).any();
+  if (wants_kept) require_rows(asked, "kept_rows", kept_rows);
+  require_rows(asked, "inside_rows", inside_rows);
+  kernel::require_apart("classify_many", "kept_rows", bytes_of(kept_rows), "inside_rows", bytes_of(inside_rows));
+  write_rows(asked, wants_kept ? kept_rows.data() : nullptr, inside_rows.data());
 }
 
 }  // namespace shaftcull

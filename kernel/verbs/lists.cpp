@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+/// Verbs of lists of indices. For many shafts, bounds in streams are listed in one pass (flat/list_rows.hpp). A tree,
+/// and queries that end early, are asked shaft by shaft.
+#include <algorithm>
+#include <array>
+
+#include "flat/batch_job.hpp"
+#include "flat/list_rows.hpp"
+#include "parallel/parallel.hpp"
+#include "shaftcull/cull.hpp"
+#include "shaftcull/many.hpp"
+#include "shaftcull/occluded.hpp"
+#include "support/arguments.hpp"
+#include "tree/tree_answers.hpp"
+#include "verbs/asked.hpp"
+#include "verbs/each_shaft.hpp"
+#include "verbs/stream_tests.hpp"
+#include "verbs/task_lists.hpp"
+
+namespace SHAFTCULL_INTERFACE shaftcull {
+namespace {
+
+using kernel::Asked;
+using kernel::bytes_of;
+using kernel::IndexRange;
+using kernel::Question;
+using kernel::task_walks;
+using kernel::TreeQuery;
+
+constexpr kernel::Takes takes_limit_alone{.limit = true, .only = false};
+
+/// Indices, called `name` in messages, may be written there.
+void require_indices(const Asked& asked, const char* name, std::span<const std::uint32_t> indices,
+                     bool may_begin_at_only) {
+  asked.require_index_width();
+  kernel::require_memory(name, indices, "indices");
+  asked.options().require_apart(name, bytes_of(indices), may_begin_at_only);
+}
+
+void require_lists(const Asked& asked, const char* name, const IndexLists& lists) {
+  asked.require_index_width();
+  asked.options().require_apart(name, bytes_of(lists.offsets));
+  asked.options().require_apart(name, bytes_of(lists.indices));
+}
+
+std::size_t list_kept(const Asked& asked, std::span<std::uint32_t> kept) {
+  const std::size_t limit = asked.options().limit();
+  if (const TreeQuery* const walks = asked.walks()) return kernel::list(*walks, 0, kept, limit);
+  return asked.scan(0).list(kept, limit);
+}
+
+/// Lists of bounds in streams of one kind, those kept, or of two: those that overlap and those inside.
+template <std::size_t kinds>
+void list_streams(const Asked& asked, const std::array<IndexLists*, kinds>& lists) {
+  const kernel::StreamTests tests(asked);
+  kernel::list_rows(kernel::BatchJob(tests.get()), lists);
+  if (!asked.options().only()) return;
+  const std::span<const std::uint32_t> named = *asked.options().only();
+  constexpr std::size_t block = 16384;
+  for (IndexLists* const each : lists) {
+    kernel::IncompleteLists<std::uint32_t> in_progress(each->offsets, each->indices);
+    kernel::parallel_for(kernel::chunk_count(each->indices.size(), block), 1, [&](std::size_t b, std::size_t) {
+      const IndexRange task = kernel::chunk_at(each->indices.size(), block, b);
+      for (std::size_t i = task.first; i != task.end(); ++i) each->indices[i] = named[each->indices[i]];
+    });
+    in_progress.complete();
+  }
+}
+
+kernel::KeptLeavesList list_to(kernel::KeptLeavesOutput& output) noexcept { return kernel::KeptLeavesList(output); }
+
+void list_tree(const TreeQuery& walks, std::size_t limit, IndexLists& lists) {
+  kernel::TaskLists<kernel::KeptLeavesOutput> all(walks.shafts(), task_walks, lists);
+  all.for_each_shaft([&](std::size_t s, kernel::KeptLeavesOutput& output) {
+    if (limit == Query::no_limit) {
+      kernel::KeptLister lister(list_to(output));
+      walks.walk(s, lister);
+    } else if (limit != 0) {
+      kernel::LimitedLister lister(list_to(output), limit);
+      walks.walk(s, lister);
+    }
+  });
+  all.concatenate([&](const auto& output, std::uint32_t* out) { output.write(walks.indices(), out); });
+  all.complete();
+}
+
+/// The first bounds of streams that each shaft keeps: shaft by shaft, since each ends somewhere else.
+void list_first(const Asked& asked, IndexLists& lists) {
+  kernel::TaskLists<kernel::GrowingOutput<std::uint32_t>> all(asked.shafts().size(), 1, lists);
+  all.for_each_shaft([&](std::size_t s, auto& output) { asked.scan(s).list(output, asked.options().limit()); });
+  all.concatenate([](const auto& output, std::uint32_t* out) { std::copy_n(output.data(), output.count(), out); });
+  all.complete();
+}
+
+void list_kept(const Asked& asked, IndexLists& lists) {
+  if (const TreeQuery* const walks = asked.walks()) {
+    list_tree(*walks, asked.options().limit(), lists);
+  } else if (asked.options().has_limit()) {
+    list_first(asked, lists);
+  } else {
+    list_streams<1>(asked, {&lists});
+  }
+}
+
+}  // namespace
+
+std::size_t list(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::uint32_t> kept, const Query& query) {
+  const Asked asked("list", {&shaft, 1}, bounds, Question::kept, query, kernel::takes_limit);
+  require_indices(asked, "kept", kept, true);
+  return list_kept(asked, kept);
+}
+
+std::size_t list(const CompiledShaft& shaft, const Bounds& bounds, std::vector<std::uint32_t>& kept,
+                 const Query& query) {
+  const Asked asked("list", {&shaft, 1}, bounds, Question::kept, query, kernel::takes_limit);
+  require_indices(asked, "kept", kept, true);
+  constexpr std::size_t least_room = 256;
+  const bool holds_candidates =
+      asked.options().only() && !kept.empty() && asked.options().only()->data() == kept.data();
+  if (!holds_candidates) kept.resize(std::max(kept.size(), std::min(least_room, asked.size())));
+  std::size_t size = list_kept(asked, kept);
+  const bool fits = size <= kept.size();
+  kept.resize(size);
+  if (!fits) size = list_kept(asked, kept);
+  return size;
+}
+
+KeptCounts list_classified(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::uint32_t> overlap,
+                           std::span<std::uint32_t> inside, const Query& query) {
+  const Asked asked("list_classified", {&shaft, 1}, bounds, Question::kept_and_inside, query, kernel::takes_candidates);
+  require_indices(asked, "overlap", overlap, false);
+  require_indices(asked, "inside", inside, false);
+  kernel::require_apart("list_classified", "overlap", bytes_of(overlap), "inside", bytes_of(inside));
+  if (const TreeQuery* const walks = asked.walks()) return kernel::list_classified(*walks, 0, overlap, inside);
+  return asked.scan(0).list_classified(overlap, inside);
+}
+
+void list_many(std::span<const CompiledShaft> shafts, const Bounds& bounds, IndexLists& lists, const Query& query) {
+  const Asked asked("list_many", shafts, bounds, Question::kept, query, kernel::takes_limit);
+  require_lists(asked, "lists", lists);
+  list_kept(asked, lists);
+}
+
+void list_classified_many(std::span<const CompiledShaft> shafts, const Bounds& bounds, IndexLists& overlap,
+                          IndexLists& inside, const Query& query) {
+  const Asked asked("list_classified_many", shafts, bounds, Question::kept_and_inside, query, kernel::takes_candidates);
+  if (&overlap == &inside) kernel::refuse_shared_memory("list_classified_many", "overlap", "inside");
+  require_lists(asked, "overlap", overlap);
+  require_lists(asked, "inside", inside);
+  const TreeQuery* const walks = asked.walks();
+  if (walks == nullptr) return list_streams<2>(asked, {&overlap, &inside});
+  kernel::TaskLists<kernel::KeptLeavesOutput> overlaps(shafts.size(), task_walks, overlap);
+  kernel::TaskLists<kernel::KeptLeavesOutput> insides(shafts.size(), task_walks, inside);
+  kernel::parallel_for(overlaps.tasks(), 1, [&](std::size_t t, std::size_t) {
+    const IndexRange task = overlaps.shafts_of(t);
+    for (std::size_t s = task.first; s != task.end(); ++s) {
+      kernel::ClassLister lister(list_to(overlaps[t]), list_to(insides[t]));
+      walks->walk(s, lister);
+      overlaps.end_list(t, s);
+      insides.end_list(t, s);
+    }
+  });
+  const auto write = [&](const auto& output, std::uint32_t* out) { output.write(walks->indices(), out); };
+  overlaps.concatenate(write);
+  insides.concatenate(write);
+  overlaps.complete();
+  insides.complete();
+}
+
+std::size_t list_occluders(const CompiledShaft& shaft, const Bounds& solids, std::span<std::uint32_t> blocking,
+                           const Query& query) {
+  const Asked asked("list_occluders", {&shaft, 1}, solids, Question::blocking, query, takes_limit_alone);
+  require_indices(asked, "blocking", blocking, false);
+  return list_kept(asked, blocking);
+}
+
+void list_occluders_many(std::span<const CompiledShaft> shafts, const Bounds& solids, IndexLists& lists,
+                         const Query& query) {
+  const Asked asked("list_occluders_many", shafts, solids, Question::blocking, query, takes_limit_alone);
+  require_lists(asked, "lists", lists);
+  list_kept(asked, lists);
+}
+
+}  // namespace shaftcull
