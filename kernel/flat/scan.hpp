@@ -2,9 +2,10 @@
 /// One shaft against bounds in streams, chunk by chunk, whose bits stay on the stack.
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 
 #include "compiled/with_planes.hpp"
@@ -14,10 +15,10 @@
 #include "query/bound_test.hpp"
 #include "query/counters.hpp"
 #include "query/options.hpp"
-#include "query/outputs.hpp"
-#include "shaftcull/first_contact.hpp"
 #include "shaftcull/function_ref.hpp"
 #include "shaftcull/results.hpp"
+#include "support/compiler.hpp"
+#include "support/float_environment.hpp"
 
 namespace shaftcull::kernel {
 
@@ -34,7 +35,17 @@ struct ScannedChunk {
   const std::uint64_t* inside;
 };
 
-/// A checked question of one shaft. Refers to the bounds and the options. Its answers are those of shaftcull/cull.hpp.
+/// Calls use(i) for every set bit, ascending, until it returns false.
+template <class Use>
+void for_each_bit(const std::uint64_t* bits, std::size_t words, const Use& use) {
+  for (std::size_t w = 0; w != words; ++w) {
+    for (std::uint64_t left = bits[w]; left != 0; left &= left - 1) {
+      if (!use(64 * w + static_cast<std::size_t>(std::countr_zero(left)))) return;
+    }
+  }
+}
+
+/// A checked question of one shaft. Refers to the bounds and the options.
 class Scan {
  public:
   /// `s` is the position of the shaft among those that `options` are of.
@@ -43,47 +54,67 @@ class Scan {
   Scan(const Scan&) = delete;
   Scan& operator=(const Scan&) = delete;
 
-  /// Writes bits of candidates, by index. For Question::inside `kept` is null, for Question::kept `inside`.
-  void write_bits(std::uint64_t* kept, std::uint64_t* inside) const noexcept;
+  /// Calls visit(chunk) until it returns false. The first chunk has `chunk` bounds at most.
+  template <class Visit>
+  void for_each_chunk(std::size_t chunk, const Visit& visit) const {
+    const FloatEnvironment environment;
+    if (bounds_.candidates) {
+      for_each_chunk_of_candidates(visit);
+    } else {
+      for_each_chunk_of_view(chunk, visit);
+    }
+  }
+  /// The user's index of bound, or candidate, i of the scan.
+  [[nodiscard]] std::uint32_t index_of(std::size_t i) const noexcept {
+    return bounds_.candidates ? (*bounds_.candidates)[i] : static_cast<std::uint32_t>(i);
+  }
+
   /// Gives a counter (query/counters.hpp) the bounds that the shaft keeps and that are not left out.
   template <class AnyCounter>
-  void scan(AnyCounter& counter) const noexcept {
+  void scan(AnyCounter& counter) const {
     for_each_chunk(EndsEarly<AnyCounter> ? first_chunk_bounds : chunk_bounds, [&](const ScannedChunk& chunk) {
       counter.words({nullptr, chunk.kept, chunk.inside, chunk.words});
       return !is_done(counter);
     });
   }
-  /// Writes indices of kept bounds, `limit` at most, and returns how many there are.
-  std::size_t list(std::span<std::uint32_t> kept, std::size_t limit) const noexcept;
-  void list(GrowingOutput<std::uint32_t>& kept, std::size_t limit) const;
-  KeptCounts list_classified(std::span<std::uint32_t> overlap, std::span<std::uint32_t> inside) const noexcept;
-  /// The first index that list() writes.
-  [[nodiscard]] std::optional<std::uint32_t> first_kept() const noexcept;
-  /// Of boxes or spheres.
-  [[nodiscard]] FirstContact first_contact() const noexcept;
 
  private:
-  /// Calls visit(chunk) until it returns false. The first chunk has `chunk` bounds at most.
-  using Visit = FunctionRef<bool(const ScannedChunk&)>;
-  void for_each_chunk(std::size_t chunk, Visit visit) const;
-  void for_each_chunk_of_view(std::size_t chunk, Visit visit) const;
-  void for_each_chunk_of_candidates(Visit visit) const;
-  template <class View>
-  [[nodiscard]] FirstContact first_contact_of() const noexcept;
-
-  [[nodiscard]] std::uint32_t index_of(std::size_t i) const noexcept {
-    return bounds_.candidates ? (*bounds_.candidates)[i] : static_cast<std::uint32_t>(i);
-  }
+  // Not inlined, so that the memory of one is not on the stack of the other.
+  template <class Visit>
+  void for_each_chunk_of_view(std::size_t chunk, const Visit& visit) const;
+  void for_each_chunk_of_candidates(FunctionRef<bool(const ScannedChunk&)> visit) const;
 
   BoundTest test_;
   WithPlanes shaft_;  // completed once, not chunk by chunk
   const ScannedBounds& bounds_;
   LeftOut left_out_;
-  const Kernels& kernels_;
   Question question_;
 };
 
-/// Writes the bits of all bounds in streams, as Scan::write_bits().
+template <class Visit>
+SHAFTCULL_NOINLINE void Scan::for_each_chunk_of_view(std::size_t chunk, const Visit& visit) const {
+  const BoundStreams& bounds = bounds_.streams;
+  std::uint64_t kept[bit_words(chunk_bounds)];
+  std::uint64_t inside_memory[bit_words(chunk_bounds)];
+  std::uint64_t* const inside = asks_for_inside(question_) ? inside_memory : nullptr;
+  // The first chunk has the pointers of the view: reading copies that have just been written would cost a small view
+  // as much as its test.
+  const float* const* stream = bounds.stream;
+  const float* part[9];
+  for (std::size_t first = 0; first != bounds.count;) {
+    const std::size_t size = std::min(chunk, bounds.count - first);
+    test_(shaft_.shaft(), stream, size, kept, inside);
+    left_out_.clear(first, size, kept);
+    left_out_.clear(first, size, inside);
+    if (!visit(ScannedChunk{first, bit_words(size), kept, inside})) return;
+    first += size;
+    chunk = std::min(2 * chunk, chunk_bounds);
+    for (std::size_t r = 0; r != bounds.rows; ++r) part[r] = bounds.stream[r] + first;
+    stream = part;
+  }
+}
+
+/// Writes the bits of all bounds in streams. `kept` is null for Question::inside, `inside` for Question::kept.
 void write_bits_of_view(const ShaftData& shaft, const ScannedBounds& bounds, Question question, const Options& options,
                         const Kernels& kernels, std::uint64_t* kept, std::uint64_t* inside) noexcept;
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 /// Verbs of bits: cull() and classify(), of one shaft and of many.
+#include <algorithm>
 #include <variant>
 
 #include "compiled/answers.hpp"
 #include "dispatch/active_kernels.hpp"
 #include "flat/batch_job.hpp"
+#include "flat/scan.hpp"
 #include "flat/tiling.hpp"
 #include "parallel/parallel.hpp"
 #include "shaftcull/cull.hpp"
@@ -12,7 +14,7 @@
 #include "support/arguments.hpp"
 #include "support/compiler.hpp"
 #include "support/float_environment.hpp"
-#include "tree/tree_answers.hpp"
+#include "tree/tree_query.hpp"
 #include "verbs/asked.hpp"
 #include "verbs/each_shaft.hpp"
 #include "verbs/stream_tests.hpp"
@@ -24,6 +26,9 @@ using kernel::Asked;
 using kernel::bytes_of;
 using kernel::IndexRange;
 using kernel::Question;
+using kernel::Scan;
+using kernel::ScannedChunk;
+using kernel::TreeQuery;
 
 /// Bits of bounds, called `name` in messages, have exactly the right size, and memory of their own.
 void require_bits(const Asked& asked, const char* name, std::span<const std::uint64_t> words) {
@@ -36,10 +41,42 @@ void require_rows(const Asked& asked, const char* name, std::span<const std::uin
   asked.options().require_apart(name, bytes_of(words));
 }
 
-/// Bits of shaft s by a walk, or of candidates.
+/// Sets the bits of shaft s in rows of zeros, by the user's index. Rows that are null are not written.
+void write_row_of_tree(const TreeQuery& walks, std::size_t s, std::uint64_t* kept, std::uint64_t* inside) {
+  const auto bits_in = [&walks](std::uint64_t* row) { return kernel::IndexBits(walks.indices(), row); };
+  if (inside == nullptr) {
+    kernel::KeptLister visitor(bits_in(kept));
+    walks.walk(s, visitor);
+  } else if (kept == nullptr) {
+    kernel::InsideLister visitor(bits_in(inside));
+    walks.walk(s, visitor);
+  } else {
+    kernel::KeptAndInsideLister visitor(bits_in(kept), bits_in(inside));
+    walks.walk(s, visitor);
+  }
+}
+
+void write_row_of_candidates(const Scan& scan, std::uint64_t* kept, std::uint64_t* inside) {
+  const auto set = [&scan](std::uint64_t* row, const ScannedChunk& chunk, const std::uint64_t* bits) {
+    if (row == nullptr) return;
+    kernel::for_each_bit(bits, chunk.words, [&](std::size_t i) {
+      const std::uint32_t index = scan.index_of(chunk.first + i);
+      row[index / 64] |= std::uint64_t{1} << index % 64;
+      return true;
+    });
+  };
+  scan.for_each_chunk(kernel::chunk_bounds, [&](const ScannedChunk& chunk) {
+    set(kept, chunk, chunk.kept);
+    set(inside, chunk, chunk.inside);
+    return true;
+  });
+}
+
 void write_row(const Asked& asked, std::size_t s, std::uint64_t* kept, std::uint64_t* inside) {
-  if (const kernel::TreeQuery* const walks = asked.walks()) return kernel::write_bits(*walks, s, kept, inside);
-  asked.scan(s).write_bits(kept, inside);
+  if (kept != nullptr) std::fill_n(kept, asked.row_words(), 0);
+  if (inside != nullptr) std::fill_n(inside, asked.row_words(), 0);
+  if (const TreeQuery* const walks = asked.walks()) return write_row_of_tree(*walks, s, kept, inside);
+  write_row_of_candidates(asked.scan(s), kept, inside);
 }
 
 /// Whether bits are of all bounds of a view.

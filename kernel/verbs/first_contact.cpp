@@ -4,11 +4,11 @@
 #include "shaftcull/first_contact.hpp"
 
 #include <algorithm>
-#include <bit>
 
 #include "compiled/answers.hpp"
 #include "exact/first_entry.hpp"
 #include "flat/batch_job.hpp"
+#include "flat/scan.hpp"
 #include "parallel/parallel.hpp"
 #include "parallel/shared_number.hpp"
 #include "parallel/task_memory.hpp"
@@ -29,24 +29,43 @@ void require_askable(const Asked& asked) {
   for (std::size_t s = 0; s != asked.shafts().size(); ++s) kernel::require_motion(asked.shafts()[s], s);
 }
 
-/// Of a tree, or of candidates.
+/// By a scan of bounds in streams, or of candidates.
+template <class View>
+FirstContact contact_of_scan(const Asked& asked, std::size_t s) {
+  const kernel::Scan scan = asked.scan(s);
+  const kernel::ScannedBounds& bounds = asked.scanned();
+  return kernel::in_float_environment([&] {
+    kernel::FirstEntry<View> first(asked.shafts()[s]);
+    scan.for_each_chunk(kernel::first_chunk_bounds, [&](const kernel::ScannedChunk& chunk) {
+      kernel::for_each_bit(chunk.kept, chunk.words, [&](std::size_t i) {
+        const std::uint32_t index = scan.index_of(chunk.first + i);
+        if (!bounds.candidates && first.is_before_all_above(index)) return false;
+        first.offer(bounds.streams.stream, bounds.candidates ? bounds.position[index] : index, index);
+        return true;
+      });
+      return bounds.candidates || !first.is_before_all_above(chunk.first + 64 * chunk.words);
+    });
+    return first.contact();
+  });
+}
+
 FirstContact contact_of(const Asked& asked, std::size_t s) {
   if (const auto* const boxes = asked.walks_of<Box>()) return boxes->first_contact(s);
   if (const auto* const spheres = asked.walks_of<Sphere>()) return spheres->first_contact(s);
-  return asked.scan(s).first_contact();
+  return asked.kind() == kernel::BoundKind::spheres ? contact_of_scan<SphereView>(asked, s)
+                                                    : contact_of_scan<BoxView>(asked, s);
 }
 
 /// Offers the bounds from `from` on whose bits are set. Bounds are offered in order.
 template <class View>
 void offer(kernel::FirstEntry<View>& first, const kernel::BoundStreams& bounds, std::size_t from,
            const std::uint64_t* kept, std::size_t words) noexcept {
-  for (std::size_t w = 0; w != words; ++w) {
-    for (std::uint64_t left = kept[w]; left != 0; left &= left - 1) {
-      const std::size_t i = from + w * 64 + static_cast<std::size_t>(std::countr_zero(left));
-      if (first.is_before_all_above(i)) return;
-      first.offer(bounds.stream, i, i);
-    }
-  }
+  kernel::for_each_bit(kept, words, [&](std::size_t bit) {
+    const std::size_t i = from + bit;
+    if (first.is_before_all_above(i)) return false;
+    first.offer(bounds.stream, i, i);
+    return true;
+  });
 }
 
 /// Makes bound `index` the first one that shaft s reaches, unless the one in `first` comes before it.

@@ -5,13 +5,16 @@
 #include <array>
 
 #include "flat/batch_job.hpp"
+#include "flat/index_writer.hpp"
 #include "flat/list_rows.hpp"
+#include "flat/scan.hpp"
 #include "parallel/parallel.hpp"
+#include "query/outputs.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/many.hpp"
 #include "shaftcull/occluded.hpp"
 #include "support/arguments.hpp"
-#include "tree/tree_answers.hpp"
+#include "tree/tree_query.hpp"
 #include "verbs/asked.hpp"
 #include "verbs/each_shaft.hpp"
 #include "verbs/stream_tests.hpp"
@@ -24,8 +27,12 @@ using kernel::Asked;
 using kernel::bytes_of;
 using kernel::IndexRange;
 using kernel::Question;
+using kernel::Scan;
+using kernel::ScannedChunk;
 using kernel::task_walks;
 using kernel::TreeQuery;
+using Output = kernel::SpanOutput<std::uint32_t>;
+using SpanList = kernel::IndexList<Output>;
 
 constexpr kernel::Takes takes_limit_alone{.limit = true, .only = false};
 
@@ -43,10 +50,88 @@ void require_lists(const Asked& asked, const char* name, const IndexLists& lists
   asked.options().require_apart(name, bytes_of(lists.indices));
 }
 
+/// Chunks of a call that ends when it has found `limit` bounds.
+constexpr std::size_t chunk_for(std::size_t limit) noexcept {
+  return limit == Query::no_limit ? kernel::chunk_bounds : kernel::first_chunk_bounds;
+}
+
+std::size_t list_scan(const Asked& asked, std::span<std::uint32_t> kept, std::size_t limit) {
+  const Scan scan = asked.scan(0);
+  const std::span<std::uint32_t> room = kept.first(std::min(kept.size(), limit));
+  if (asked.options().only()) {
+    std::size_t count = 0;
+    scan.for_each_chunk(kernel::chunk_bounds, [&](const ScannedChunk& chunk) {
+      kernel::for_each_bit(chunk.kept, chunk.words, [&](std::size_t i) {
+        // Never ahead of what is read, so `kept` may be the candidates' own memory.
+        if (count < room.size()) room[count] = scan.index_of(chunk.first + i);
+        return ++count != limit;
+      });
+      return count < limit;
+    });
+    return count;
+  }
+  kernel::IndexWriter listed(asked.kernels().set_bits, room);
+  scan.for_each_chunk(chunk_for(limit), [&](const ScannedChunk& chunk) {
+    listed.add(chunk.first, chunk.kept, chunk.words);
+    return listed.count() < limit;
+  });
+  return std::min(listed.count(), limit);
+}
+
+/// Adds to a list (tree/visitors.hpp) what shaft s keeps of a tree.
+template <class List>
+void list_walk(const TreeQuery& walks, std::size_t s, const List& list, std::size_t limit) {
+  if (limit == Query::no_limit) {
+    kernel::KeptLister lister(list);
+    walks.walk(s, lister);
+  } else if (limit != 0) {
+    kernel::LimitedLister lister(list, limit);
+    walks.walk(s, lister);
+  }
+}
+
 std::size_t list_kept(const Asked& asked, std::span<std::uint32_t> kept) {
   const std::size_t limit = asked.options().limit();
-  if (const TreeQuery* const walks = asked.walks()) return kernel::list(*walks, 0, kept, limit);
-  return asked.scan(0).list(kept, limit);
+  const TreeQuery* const walks = asked.walks();
+  if (walks == nullptr) return limit == 0 ? 0 : list_scan(asked, kept, limit);
+  Output output(kept);
+  list_walk(*walks, 0, SpanList(walks->indices(), output), limit);
+  return output.count();
+}
+
+KeptCounts list_classified_scan(const Asked& asked, std::span<std::uint32_t> overlap, std::span<std::uint32_t> inside) {
+  const Scan scan = asked.scan(0);
+  if (asked.options().only()) {
+    Output overlaps(overlap);
+    Output insides(inside);
+    scan.for_each_chunk(kernel::chunk_bounds, [&](const ScannedChunk& chunk) {
+      kernel::for_each_bit(chunk.kept, chunk.words, [&](std::size_t i) {
+        const bool is_inside = (chunk.inside[i / 64] >> i % 64 & 1) != 0;
+        (is_inside ? insides : overlaps).push(scan.index_of(chunk.first + i));
+        return true;
+      });
+      return true;
+    });
+    return {overlaps.count(), insides.count()};
+  }
+  kernel::IndexWriter overlaps(asked.kernels().set_bits, overlap);
+  kernel::IndexWriter insides(asked.kernels().set_bits, inside);
+  scan.for_each_chunk(kernel::chunk_bounds, [&](const ScannedChunk& chunk) {
+    for (std::size_t w = 0; w != chunk.words; ++w) chunk.kept[w] &= ~chunk.inside[w];
+    overlaps.add(chunk.first, chunk.kept, chunk.words);
+    insides.add(chunk.first, chunk.inside, chunk.words);
+    return true;
+  });
+  return {overlaps.count(), insides.count()};
+}
+
+KeptCounts list_classified_walk(const TreeQuery& walks, std::span<std::uint32_t> overlap,
+                                std::span<std::uint32_t> inside) {
+  Output overlaps(overlap);
+  Output insides(inside);
+  kernel::ClassLister lister(SpanList(walks.indices(), overlaps), SpanList(walks.indices(), insides));
+  walks.walk(0, lister);
+  return {overlaps.count(), insides.count()};
 }
 
 /// Lists of bounds in streams of one kind, those kept, or of two: those that overlap and those inside.
@@ -71,15 +156,8 @@ kernel::KeptLeavesList list_to(kernel::KeptLeavesOutput& output) noexcept { retu
 
 void list_tree(const TreeQuery& walks, std::size_t limit, IndexLists& lists) {
   kernel::TaskLists<kernel::KeptLeavesOutput> all(walks.shafts(), task_walks, lists);
-  all.for_each_shaft([&](std::size_t s, kernel::KeptLeavesOutput& output) {
-    if (limit == Query::no_limit) {
-      kernel::KeptLister lister(list_to(output));
-      walks.walk(s, lister);
-    } else if (limit != 0) {
-      kernel::LimitedLister lister(list_to(output), limit);
-      walks.walk(s, lister);
-    }
-  });
+  all.for_each_shaft(
+      [&](std::size_t s, kernel::KeptLeavesOutput& output) { list_walk(walks, s, list_to(output), limit); });
   all.concatenate([&](const auto& output, std::uint32_t* out) { output.write(walks.indices(), out); });
   all.complete();
 }
@@ -87,7 +165,19 @@ void list_tree(const TreeQuery& walks, std::size_t limit, IndexLists& lists) {
 /// The first bounds of streams that each shaft keeps: shaft by shaft, since each ends somewhere else.
 void list_first(const Asked& asked, IndexLists& lists) {
   kernel::TaskLists<kernel::GrowingOutput<std::uint32_t>> all(asked.shafts().size(), 1, lists);
-  all.for_each_shaft([&](std::size_t s, auto& output) { asked.scan(s).list(output, asked.options().limit()); });
+  const std::size_t limit = asked.options().limit();
+  all.for_each_shaft([&](std::size_t s, auto& output) {
+    const std::size_t before = output.count();
+    const Scan scan = asked.scan(s);
+    scan.for_each_chunk(kernel::first_chunk_bounds, [&](const ScannedChunk& chunk) {
+      kernel::for_each_bit(chunk.kept, chunk.words, [&](std::size_t i) {
+        if (output.count() - before == limit) return false;
+        output.push(scan.index_of(chunk.first + i));
+        return true;
+      });
+      return output.count() - before != limit;
+    });
+  });
   all.concatenate([](const auto& output, std::uint32_t* out) { std::copy_n(output.data(), output.count(), out); });
   all.complete();
 }
@@ -131,8 +221,8 @@ KeptCounts list_classified(const CompiledShaft& shaft, const Bounds& bounds, std
   require_indices(asked, "overlap", overlap, false);
   require_indices(asked, "inside", inside, false);
   kernel::require_apart("list_classified", "overlap", bytes_of(overlap), "inside", bytes_of(inside));
-  if (const TreeQuery* const walks = asked.walks()) return kernel::list_classified(*walks, 0, overlap, inside);
-  return asked.scan(0).list_classified(overlap, inside);
+  if (const TreeQuery* const walks = asked.walks()) return list_classified_walk(*walks, overlap, inside);
+  return list_classified_scan(asked, overlap, inside);
 }
 
 void list_many(std::span<const CompiledShaft> shafts, const Bounds& bounds, IndexLists& lists, const Query& query) {

@@ -9,12 +9,13 @@
 #include "compiled/answers.hpp"
 #include "exact/blocking.hpp"
 #include "exact/polygon.hpp"
+#include "flat/scan.hpp"
 #include "shaftcull/error.hpp"
 #include "support/arguments.hpp"
 #include "support/fail.hpp"
 #include "support/float_environment.hpp"
 #include "support/text.hpp"
-#include "tree/tree_answers.hpp"
+#include "tree/tree_query.hpp"
 #include "verbs/asked.hpp"
 
 namespace SHAFTCULL_INTERFACE shaftcull {
@@ -45,8 +46,21 @@ bool occluded(const CompiledShaft& shaft, std::span<const Vec3> polygon) {
 std::optional<std::uint32_t> find_occluder(const CompiledShaft& shaft, const Bounds& solids, const Query& query) {
   const kernel::Asked asked("find_occluder", {&shaft, 1}, solids, kernel::Question::blocking, query, {.only = false});
   asked.require_index_width();
-  if (const kernel::TreeQuery* const walks = asked.walks()) return kernel::first_kept(*walks, 0);
-  return asked.scan(0).first_kept();
+  if (const kernel::TreeQuery* const walks = asked.walks()) {
+    kernel::FirstFinder first(walks->indices());
+    walks->walk(0, first);
+    return first.found();
+  }
+  std::optional<std::uint32_t> first;
+  const kernel::Scan scan = asked.scan(0);
+  scan.for_each_chunk(kernel::first_chunk_bounds, [&](const kernel::ScannedChunk& chunk) {
+    kernel::for_each_bit(chunk.kept, chunk.words, [&](std::size_t i) {
+      first = scan.index_of(chunk.first + i);
+      return false;
+    });
+    return !first.has_value();
+  });
+  return first;
 }
 
 }  // namespace shaftcull
