@@ -45,6 +45,30 @@ void for_each_bit(const std::uint64_t* bits, std::size_t words, const Use& use) 
   }
 }
 
+/// Calls use(stream, first, size) for slices of bounds until it returns false. The first slice has `chunk` bounds at
+/// most; each has up to twice as many as the one before.
+template <class Use>
+SHAFTCULL_ALWAYS_INLINE inline void for_each_slice(const BoundStreams& bounds, std::size_t chunk, const Use& use) {
+  // The first slice has the pointers of the view: reading copies that have just been written would cost a small view
+  // as much as its test.
+  const float* const* stream = bounds.stream;
+  const float* part[9];
+  for (std::size_t first = 0; first != bounds.count;) {
+    const std::size_t size = std::min(chunk, bounds.count - first);
+    if (!use(stream, first, size)) return;
+    first += size;
+    chunk = std::min(2 * chunk, chunk_bounds);
+    for (std::size_t r = 0; r != bounds.rows; ++r) part[r] = bounds.stream[r] + first;
+    stream = part;
+  }
+}
+
+/// Bounds of the first chunk that a counter is given.
+template <class AnyCounter>
+[[nodiscard]] constexpr std::size_t first_chunk_for(const AnyCounter& /*counter*/) noexcept {
+  return EndsEarly<AnyCounter> ? first_chunk_bounds : chunk_bounds;
+}
+
 /// A checked question of one shaft. Refers to the bounds and the options.
 class Scan {
  public:
@@ -72,7 +96,7 @@ class Scan {
   /// Gives a counter (query/counters.hpp) the bounds that the shaft keeps and that are not left out.
   template <class AnyCounter>
   void scan(AnyCounter& counter) const {
-    for_each_chunk(EndsEarly<AnyCounter> ? first_chunk_bounds : chunk_bounds, [&](const ScannedChunk& chunk) {
+    for_each_chunk(first_chunk_for(counter), [&](const ScannedChunk& chunk) {
       counter.words({nullptr, chunk.kept, chunk.inside, chunk.words});
       return !is_done(counter);
     });
@@ -93,25 +117,15 @@ class Scan {
 
 template <class Visit>
 SHAFTCULL_NOINLINE void Scan::for_each_chunk_of_view(std::size_t chunk, const Visit& visit) const {
-  const BoundStreams& bounds = bounds_.streams;
   std::uint64_t kept[bit_words(chunk_bounds)];
   std::uint64_t inside_memory[bit_words(chunk_bounds)];
   std::uint64_t* const inside = asks_for_inside(question_) ? inside_memory : nullptr;
-  // The first chunk has the pointers of the view: reading copies that have just been written would cost a small view
-  // as much as its test.
-  const float* const* stream = bounds.stream;
-  const float* part[9];
-  for (std::size_t first = 0; first != bounds.count;) {
-    const std::size_t size = std::min(chunk, bounds.count - first);
+  for_each_slice(bounds_.streams, chunk, [&](const float* const* stream, std::size_t first, std::size_t size) {
     test_(shaft_.shaft(), stream, size, kept, inside);
     left_out_.clear(first, size, kept);
     left_out_.clear(first, size, inside);
-    if (!visit(ScannedChunk{first, bit_words(size), kept, inside})) return;
-    first += size;
-    chunk = std::min(2 * chunk, chunk_bounds);
-    for (std::size_t r = 0; r != bounds.rows; ++r) part[r] = bounds.stream[r] + first;
-    stream = part;
-  }
+    return visit(ScannedChunk{first, bit_words(size), kept, inside});
+  });
 }
 
 /// Writes the bits of all bounds in streams. `kept` is null for Question::inside, `inside` for Question::kept.

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Verbs of bits: cull() and classify(), of one shaft and of many.
 #include <algorithm>
-#include <variant>
 
-#include "compiled/answers.hpp"
 #include "dispatch/active_kernels.hpp"
 #include "flat/batch_job.hpp"
 #include "flat/scan.hpp"
@@ -17,6 +15,7 @@
 #include "tree/tree_query.hpp"
 #include "verbs/asked.hpp"
 #include "verbs/each_shaft.hpp"
+#include "verbs/plain_boxes.hpp"
 #include "verbs/stream_tests.hpp"
 
 namespace SHAFTCULL_INTERFACE shaftcull {
@@ -88,13 +87,6 @@ void write_bits(const Asked& asked, std::uint64_t* kept, std::uint64_t* inside) 
                              kept, inside);
 }
 
-/// The boxes of a view that a query without options asks about, or null. Asked costs some 20 ns, as much as a test of
-/// 64 boxes.
-const BoxView* plain_boxes(const Bounds& bounds, const Query& query) noexcept {
-  if (kernel::Options::are_given(query) || !BoundsAccess::layers(bounds).empty()) return nullptr;
-  return std::get_if<BoxView>(&BoundsAccess::from(bounds));
-}
-
 void write_plain_bits(const CompiledShaft& shaft, const BoxView& boxes, std::uint64_t* kept, std::uint64_t* inside) {
   if (boxes.count == 0) return;
   const kernel::FloatEnvironment environment;
@@ -147,9 +139,8 @@ void write_rows(const Asked& asked, std::uint64_t* kept, std::uint64_t* inside) 
 }  // namespace
 
 void cull(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::uint64_t> kept, const Query& query) {
-  if (const BoxView* const boxes = plain_boxes(bounds, query)) [[likely]] {
-    kernel::require_formed(kernel::data_of(shaft), 0);
-    kernel::require_view(*boxes);
+  if (const BoxView* const boxes = kernel::plain_boxes(bounds, query)) [[likely]] {
+    kernel::require_plain(shaft, *boxes);
     kernel::require_words("kept", kept, boxes->count);
     return write_plain_bits(shaft, *boxes, kept.data(), nullptr);
   }
@@ -159,9 +150,8 @@ void cull(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::uint6
 void classify(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::uint64_t> kept,
               std::span<std::uint64_t> inside, const Query& query) {
   const bool wants_kept = !kept.empty();
-  if (const BoxView* const boxes = plain_boxes(bounds, query)) [[likely]] {
-    kernel::require_formed(kernel::data_of(shaft), 0);
-    kernel::require_view(*boxes);
+  if (const BoxView* const boxes = kernel::plain_boxes(bounds, query)) [[likely]] {
+    kernel::require_plain(shaft, *boxes);
     if (wants_kept) kernel::require_words("kept", kept, boxes->count);
     kernel::require_words("inside", inside, boxes->count);
     kernel::require_apart("classify", "kept", bytes_of(kept), "inside", bytes_of(inside));

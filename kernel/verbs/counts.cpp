@@ -14,8 +14,10 @@
 #include "shaftcull/many.hpp"
 #include "shaftcull/occluded.hpp"
 #include "support/arguments.hpp"
+#include "support/compiler.hpp"
 #include "verbs/asked.hpp"
 #include "verbs/each_shaft.hpp"
+#include "verbs/plain_boxes.hpp"
 #include "verbs/stream_tests.hpp"
 
 namespace SHAFTCULL_INTERFACE shaftcull {
@@ -85,12 +87,35 @@ void find_any(const Asked& asked, const char* name, std::span<std::uint64_t> any
   });
 }
 
-}  // namespace
+// Not inlined, so that queries about plain boxes have no large stack.
 
-std::size_t count(const CompiledShaft& shaft, const Bounds& bounds, const Query& query) {
+SHAFTCULL_NOINLINE std::size_t count_bounds(const CompiledShaft& shaft, const Bounds& bounds, const Query& query) {
   const Asked asked("count", {&shaft, 1}, bounds, Question::kept, query, kernel::takes_limit);
   if (!asked.options().has_limit()) return asked.counted(0, Counter(asked.kernels())).result();
   return asked.counted(0, LimitedCounter(asked.kernels(), asked.options().limit())).result();
+}
+
+SHAFTCULL_NOINLINE bool any_bounds(const CompiledShaft& shaft, const Bounds& bounds, const Query& query) {
+  const Asked asked("any", {&shaft, 1}, bounds, Question::kept, query, kernel::takes_candidates);
+  return asked.counted(0, Finder()).result();
+}
+
+/// The result of a counter of the boxes of a view.
+template <class AnyCounter>
+auto count_plain(const CompiledShaft& shaft, const BoxView& boxes, const kernel::Kernels& kernels,
+                 const AnyCounter& none) {
+  kernel::require_plain(shaft, boxes);
+  return kernel::plain_counted(shaft, boxes, kernels, none).result();
+}
+
+}  // namespace
+
+std::size_t count(const CompiledShaft& shaft, const Bounds& bounds, const Query& query) {
+  if (const BoxView* const boxes = kernel::plain_boxes(bounds, query)) [[likely]] {
+    const kernel::Kernels& kernels = kernel::active_kernels();
+    return count_plain(shaft, *boxes, kernels, Counter(kernels));
+  }
+  return count_bounds(shaft, bounds, query);
 }
 
 void count_many(std::span<const CompiledShaft> shafts, const Bounds& bounds, std::span<std::uint64_t> kept_counts,
@@ -114,8 +139,10 @@ void count_classified_many(std::span<const CompiledShaft> shafts, const Bounds& 
 }
 
 bool any(const CompiledShaft& shaft, const Bounds& bounds, const Query& query) {
-  const Asked asked("any", {&shaft, 1}, bounds, Question::kept, query, kernel::takes_candidates);
-  return asked.counted(0, Finder()).result();
+  if (const BoxView* const boxes = kernel::plain_boxes(bounds, query)) [[likely]] {
+    return count_plain(shaft, *boxes, kernel::active_kernels(), Finder());
+  }
+  return any_bounds(shaft, bounds, query);
 }
 
 void any_many(std::span<const CompiledShaft> shafts, const Bounds& bounds, std::span<std::uint64_t> any,

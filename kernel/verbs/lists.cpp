@@ -14,9 +14,11 @@
 #include "shaftcull/many.hpp"
 #include "shaftcull/occluded.hpp"
 #include "support/arguments.hpp"
+#include "support/compiler.hpp"
 #include "tree/tree_query.hpp"
 #include "verbs/asked.hpp"
 #include "verbs/each_shaft.hpp"
+#include "verbs/plain_boxes.hpp"
 #include "verbs/stream_tests.hpp"
 #include "verbs/task_lists.hpp"
 
@@ -192,12 +194,31 @@ void list_kept(const Asked& asked, IndexLists& lists) {
   }
 }
 
-}  // namespace
+// Not inlined, so that queries about plain boxes have no large stack.
 
-std::size_t list(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::uint32_t> kept, const Query& query) {
+SHAFTCULL_NOINLINE std::size_t list_bounds(const CompiledShaft& shaft, const Bounds& bounds,
+                                           std::span<std::uint32_t> kept, const Query& query) {
   const Asked asked("list", {&shaft, 1}, bounds, Question::kept, query, kernel::takes_limit);
   require_indices(asked, "kept", kept, true);
   return list_kept(asked, kept);
+}
+
+}  // namespace
+
+std::size_t list(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::uint32_t> kept, const Query& query) {
+  if (const BoxView* const boxes = kernel::plain_boxes(bounds, query)) [[likely]] {
+    kernel::require_plain(shaft, *boxes);
+    kernel::require_index_width("list", boxes->count);
+    kernel::require_memory("kept", kept, "indices");
+    const kernel::Kernels& kernels = kernel::active_kernels();
+    kernel::IndexWriter listed(kernels.set_bits, kept);
+    kernel::for_each_plain_chunk(shaft, *boxes, kernels, kernel::chunk_bounds, [&](const ScannedChunk& chunk) {
+      listed.add(chunk.first, chunk.kept, chunk.words);
+      return true;
+    });
+    return listed.count();
+  }
+  return list_bounds(shaft, bounds, kept, query);
 }
 
 std::size_t list(const CompiledShaft& shaft, const Bounds& bounds, std::vector<std::uint32_t>& kept,
