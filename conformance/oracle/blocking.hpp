@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// Whether a box hides one end of a shaft from the other, in exact rational arithmetic and straight from the
 /// definition: segment by segment. Slow, and shares no code with the library.
+///
+/// The definition is of segments between the relative interiors of the ends. These are the union of the ends shrunk
+/// towards their middles, by however little, so it holds iff it holds for ends shrunk by an infinitely small part.
 #pragma once
 
 #include <gmpxx.h>
@@ -18,8 +21,12 @@ using RationalPoint = std::array<mpq_class, 3>;
 /// or a NaN meets nothing.
 [[nodiscard]] bool passes_through(const RationalPoint& from, const RationalPoint& to, const Box& box);
 
-/// Whether all 64 segments from a corner of a to a corner of b pass through the box.
+/// Whether all 64 segments from a corner of a to a corner of b pass through the box, where a and b are shrunk by an
+/// infinitely small part.
 [[nodiscard]] bool blocks(const Box& a, const Box& b, const Box& box);
+
+/// The same for all segments between the corners of two convex polygons, or of other convex hulls.
+[[nodiscard]] bool blocks(const std::vector<Vec3>& a, const std::vector<Vec3>& b, const Box& box);
 
 /// Likewise all segments between `steps` + 1 evenly spaced points on each axis of a and of b.
 [[nodiscard]] bool blocks_samples(const Box& a, const Box& b, const Box& box, unsigned steps);
@@ -31,5 +38,8 @@ using RationalPoint = std::array<mpq_class, 3>;
 
 /// Whether all segments between `steps` + 1 evenly spaced points on each axis of a and of b do.
 [[nodiscard]] bool blocks(const Box& a, const Box& b, const std::vector<Vec3>& polygon, unsigned steps);
+
+/// The same for all segments between the corners of two convex polygons, or of other convex hulls.
+[[nodiscard]] bool blocks(const std::vector<Vec3>& a, const std::vector<Vec3>& b, const std::vector<Vec3>& polygon);
 
 }  // namespace shaftcull::oracle

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <compare>
 #include <limits>
 
 namespace shaftcull::oracle {
@@ -88,6 +89,46 @@ Digits digits_of(const SightQuestion& question) {
 template <class Number>
 using PointOf = std::array<Number, 3>;
 
+/// A polynomial of degree 3 in ε, which is positive and less than every positive number. So the sign is that of the
+/// lowest coefficient that is not 0. Products have no higher powers where they are made here.
+template <class Number>
+class Infinitesimal {
+ public:
+  Infinitesimal(int number) : coefficient_{number, 0, 0, 0} {}
+  Infinitesimal(const Number& number, const Number& of_epsilon = 0) : coefficient_{number, of_epsilon, 0, 0} {}
+
+  friend Infinitesimal operator+(Infinitesimal a, const Infinitesimal& b) {
+    for (std::size_t i = 0; i != powers; ++i) a.coefficient_[i] += b.coefficient_[i];
+    return a;
+  }
+  friend Infinitesimal operator-(Infinitesimal a, const Infinitesimal& b) {
+    for (std::size_t i = 0; i != powers; ++i) a.coefficient_[i] -= b.coefficient_[i];
+    return a;
+  }
+  friend Infinitesimal operator-(const Infinitesimal& a) { return 0 - a; }
+  friend Infinitesimal operator*(const Infinitesimal& a, const Infinitesimal& b) {
+    Infinitesimal product = 0;
+    for (std::size_t i = 0; i != powers; ++i) {
+      for (std::size_t k = 0; i + k != powers; ++k) {
+        product.coefficient_[i + k] += a.coefficient_[i] * b.coefficient_[k];
+      }
+    }
+    return product;
+  }
+  friend std::strong_ordering operator<=>(const Infinitesimal& a, const Infinitesimal& b) {
+    for (std::size_t i = 0; i != powers; ++i) {
+      if (a.coefficient_[i] < b.coefficient_[i]) return std::strong_ordering::less;
+      if (a.coefficient_[i] > b.coefficient_[i]) return std::strong_ordering::greater;
+    }
+    return std::strong_ordering::equal;
+  }
+  friend bool operator==(const Infinitesimal& a, const Infinitesimal& b) = default;
+
+ private:
+  static constexpr std::size_t powers = 4;
+  std::array<Number, powers> coefficient_;
+};
+
 template <class Number>
 struct BoxOf {
   PointOf<Number> lo;
@@ -98,6 +139,14 @@ struct BoxOf {
     PointOf<Number> point;
     for (unsigned k = 0; k != 3; ++k) point[k] = (c >> k & 1U) != 0 ? hi[k] : lo[k];
     return point;
+  }
+  /// The corner moved by 2 ε of its way to the middle: into the relative interior.
+  [[nodiscard]] PointOf<Infinitesimal<Number>> inner_corner(unsigned c) const {
+    const auto coordinate = [&](unsigned k) {
+      const bool is_hi = (c >> k & 1U) != 0;
+      return Infinitesimal<Number>(is_hi ? hi[k] : lo[k], is_hi ? Number(lo[k] - hi[k]) : Number(hi[k] - lo[k]));
+    };
+    return {coordinate(0), coordinate(1), coordinate(2)};
   }
 };
 
@@ -230,7 +279,8 @@ class Answers final : public SightOracle::Questions {
   [[nodiscard]] bool blocks(std::size_t i, std::size_t j, std::size_t k) const override {
     const AnyBox& solid = solids_[k];
     if (!solids_around_ends_ && (holds_part_of(solid, a_[i]) || holds_part_of(solid, b_[j]))) return false;
-    return all_segments(a_[i], b_[j], [&](const Point& p, const Point& q) { return passes_box(p, q, solid); });
+    const bool is_open = !solid.is_flat(0) && !solid.is_flat(1) && !solid.is_flat(2);
+    return all_segments(a_[i], b_[j], is_open, [&](const auto& p, const auto& q) { return passes_box(p, q, solid); });
   }
 
   [[nodiscard]] bool is_behind(std::size_t i, std::size_t j) const override {
@@ -270,21 +320,26 @@ class Answers final : public SightOracle::Questions {
     return true;
   }
 
+  /// Whether all segments between the relative interiors of two boxes pass. These are the unions of the boxes shrunk
+  /// towards their middles, by however little, and of a shrunk box the corners decide. If `is_open`, points near those
+  /// of a segment that passes have segments that pass, so most corners need not be moved.
   template <class Passes>
-  [[nodiscard]] static bool all_segments(const AnyBox& a, const AnyBox& b, const Passes& passes) {
+  [[nodiscard]] static bool all_segments(const AnyBox& a, const AnyBox& b, bool is_open, const Passes& passes) {
     for (unsigned c = 0; c != 8; ++c) {
       for (unsigned d = 0; d != 8; ++d) {
-        if (!passes(a.corner(c), b.corner(d))) return false;
+        if (is_open && passes(a.corner(c), b.corner(d))) continue;
+        if (!passes(a.inner_corner(c), b.inner_corner(d))) return false;
       }
     }
     return true;
   }
 
   /// Whether the relative interiors of segment and box meet.
-  [[nodiscard]] static bool passes_box(const Point& p, const Point& q, const AnyBox& box) {
-    Times<Number> times(true);
+  template <class Coordinate>
+  [[nodiscard]] static bool passes_box(const PointOf<Coordinate>& p, const PointOf<Coordinate>& q, const AnyBox& box) {
+    Times<Coordinate> times(true);
     for (std::size_t k = 0; k != 3; ++k) {
-      const Number way = q[k] - p[k];
+      const Coordinate way = q[k] - p[k];
       if (box.is_flat(k)) {
         times.require_zero(p[k] - box.lo[k], way);
       } else {
@@ -295,11 +350,18 @@ class Answers final : public SightOracle::Questions {
     return times.are_there();
   }
 
-  [[nodiscard]] static Point minus(const Point& p, const Point& q) {
-    return {Number(p[0] - q[0]), Number(p[1] - q[1]), Number(p[2] - q[2])};
+  template <class Coordinate>
+  [[nodiscard]] static PointOf<Coordinate> minus(const PointOf<Coordinate>& p, const PointOf<Coordinate>& q) {
+    return {Coordinate(p[0] - q[0]), Coordinate(p[1] - q[1]), Coordinate(p[2] - q[2])};
   }
-  [[nodiscard]] static Number determinant(const Point& p, const Point& q, const Point& r) {
+  template <class Coordinate>
+  [[nodiscard]] static Coordinate determinant(const PointOf<Coordinate>& p, const PointOf<Coordinate>& q,
+                                              const PointOf<Coordinate>& r) {
     return p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) + p[2] * (q[0] * r[1] - q[1] * r[0]);
+  }
+  template <class Coordinate>
+  [[nodiscard]] static PointOf<Coordinate> as(const Point& p) {
+    return {Coordinate(p[0]), Coordinate(p[1]), Coordinate(p[2])};
   }
 
   /// Whether all segments go from one side of a polygon to the other strictly within its edges.
@@ -317,19 +379,21 @@ class Answers final : public SightOracle::Questions {
       }
     }
     if (third == 0) return false;
-    return all_segments(a, b, [&](const Point& p, const Point& q) {
-      const auto side = [&](const Point& r) {
-        return sign<Number>(
-            determinant(minus(polygon[second], polygon[0]), minus(polygon[third], polygon[0]), minus(r, polygon[0])));
+    return all_segments(a, b, true, [&](const auto& p, const auto& q) {
+      using Coordinate = typename std::decay_t<decltype(p)>::value_type;
+      const auto corner = [&](std::size_t i) { return as<Coordinate>(polygon[i % polygon.size()]); };
+      const auto side = [&](const PointOf<Coordinate>& r) {
+        return sign<Coordinate>(
+            determinant(minus(corner(second), corner(0)), minus(corner(third), corner(0)), minus(r, corner(0))));
       };
       if (side(p) * side(q) != -1) return false;
       // The line passes all edges on the same side.
       int all = 0;
       for (std::size_t i = 0; i != polygon.size(); ++i) {
-        const Point& from = polygon[i];
-        const Point& to = polygon[(i + 1) % polygon.size()];
+        const PointOf<Coordinate> from = corner(i);
+        const PointOf<Coordinate> to = corner(i + 1);
         if (from == to) continue;
-        const int one = sign<Number>(determinant(minus(from, p), minus(to, p), minus(q, p)));
+        const int one = sign<Coordinate>(determinant(minus(from, p), minus(to, p), minus(q, p)));
         if (one == 0 || (all != 0 && one != all)) return false;
         all = one;
       }
@@ -353,8 +417,9 @@ class Answers final : public SightOracle::Questions {
 
 SightOracle::SightOracle(const SightQuestion& question) {
   const Digits digits = digits_of(question);
-  // Determinants are sums of six products of three differences: 3 × 38 + 3 bits.
-  if (digits.end - digits.first <= 37) {
+  // Determinants are sums of six products of three differences, of which the coefficients of a power of ε are three
+  // products or fewer: 3 × 37 + 1 + 5 bits.
+  if (digits.end - digits.first <= 36) {
     questions_ = std::make_unique<Answers<Wide>>(question, -digits.first);
   } else {
     questions_ = std::make_unique<Answers<mpz_class>>(question, -digits.first);

@@ -163,7 +163,7 @@ SHAFTCULL_EXPORT void complete(CompiledShaft& shaft) noexcept;
 /// * a bound is beyond an added plane iff none of its points is on the inner side, off the plane;
 /// * the same bounds are inside as with Contact::closed, except flat ones in the shaft's surface, which are outside;
 /// * first_contact() and entry_times() report the bounds that are kept, and their times stay the same.
-/// occluded() is the same for both: there, touching never counts.
+/// occluded() is the same for both: it is about the relative interiors of the ends.
 ///
 /// Some 10 ns a shaft; may be done at any time, and again. Throws InvalidArgument, and writes nothing, for a shaft that
 /// was never formed and for a convex hull (hull.hpp), which has closed contact only, by its position; and if `contact`

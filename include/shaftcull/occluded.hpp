@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: MIT
 /// Solid boxes that hide one end of a shaft from the other.
 ///
-/// A box *blocks* a shaft if every segment from a point of the shaft's box a to a point of its box b passes through it:
-/// no point of one end sees any point of the other. One such box decides a pair of patches without a ray. Boxes that
-/// block are *solid*: the caller passes no others. Walls and the cores of buildings are solid; the box around a
-/// triangle, a tree or a table is not.
+/// A box *blocks* a shaft if every segment between the relative interiors of the shaft's boxes a and b passes through
+/// it. The relative interior of a box is the box without its faces; of a flat box, without its edges; of a point, the
+/// point. One box that blocks decides a pair of patches without a ray. Boxes that block are *solid*: the caller passes
+/// no others. Walls and the cores of buildings are solid; the box around a triangle, a tree or a table is not.
 ///
-/// *Touching does not block.* A segment passes through a box where their relative interiors meet. So a wall does not
-/// block the patch that lies on it, nor a segment that runs along it. A flat box blocks segments that cross it. A box
-/// that holds an end in its interior blocks all segments that start there: leave it out where that is not intended.
+/// A segment passes through a box where their relative interiors meet; a segment that only touches does not. So a wall
+/// does not block the patch that lies on it, nor two ends in the plane of one of its faces. A flat box blocks segments
+/// that cross it. A box that holds an end in its interior blocks all segments that start there: leave it out where that
+/// is not intended.
+///
+/// *Walls that end flush block.* A wall from floor to ceiling hides one room from the next, and the middle one of three
+/// equal cubes in a row hides the others. Some segments between points on the rims of the two ends, along the ceiling
+/// say, only touch the wall. They have *measure zero*: among all segments between the ends, their share is 0. They
+/// carry no light, and a random ray never takes one. A ray that starts exactly at an edge of a patch may take one, and
+/// arrive.
 ///
 /// Answers are exact, as those of cull.hpp, for all finite floats, flat and point-like ends and boxes included. A box
 /// that is empty (lo > hi) or has a NaN blocks nothing, and an infinite box is unbounded. Several boxes that only
@@ -39,8 +46,9 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// Returns whether a convex polygon blocks the shaft: a wall or a roof at any angle. `polygon` has its corners in
 /// order, either way round; corners may be repeated.
 ///
-/// Every segment must go from one side of the polygon's plane to the other, within its edges; touching the plane or an
-/// edge does not block. Corners that are floats are seldom in one plane. So the polygon is treated as the triangles
+/// Every segment between the relative interiors of the ends must go from one side of the polygon's plane to the other,
+/// within its edges; touching the plane or an edge does not block. An end may touch the plane, but not lie in it.
+/// Corners that are floats are seldom in one plane. So the polygon is treated as the triangles
 /// that its first corner forms with each of its other edges, and a segment must pass the planes of all of them. Exact.
 /// O(corners), a few microseconds; no allocation. Throws InvalidArgument for fewer than three corners, and for a corner
 /// that is not finite.

@@ -5,14 +5,16 @@
 /// as a facet does. *Occluders* stand between patches. Each pair gets one of four answers:
 ///
 /// * `facing_away`: one box lies wholly on or behind the plane of the other patch.
-/// * `occluded`: one solid hides each box from the other. Every segment between the boxes passes through its interior.
+/// * `occluded`: one solid hides each box from the other. Every segment between the relative interiors of the boxes
+///   passes through its interior. So a wall that ends flush with floor and ceiling hides what is behind it. Segments
+///   that touch a solid only at the rim of both patches have measure zero: no light passes along them (occluded.hpp).
 /// * `clear`: no occluder reaches into the shaft between the two boxes, in front of both planes.
 /// * `undecided`: none of the three. The *candidates* are the occluders that reach into the shaft: rays need no others.
 ///
 /// A *solid* is a solid box, or the box that inscribed_box() finds inside a solid hull, or a larger box that several of
 /// these form together, as merged_boxes() finds it (both in solids.hpp). So a hull may hide more than the answers
-/// report. A polygon has no interior: it hides two boxes if every segment between them passes from one side of its
-/// plane to the other, within its edges.
+/// report. A polygon has no interior: it hides two boxes if every segment between their relative interiors passes from
+/// one side of its plane to the other, within its edges.
 ///
 /// Answers are exact for the floats given: these definitions alone determine the undecided pairs and their candidates.
 /// A pair that faces away or is occluded is never reported as `clear`. A pair that both faces away and is occluded gets
@@ -220,8 +222,8 @@ struct VisibilityProgress {
 
 /// Options of visibility calls.
 struct VisibilityOptions {
-  /// Whether an occluder that only touches a shaft reaches into it: only with closed contact. A solid that only touches
-  /// hides nothing, whatever the contact.
+  /// Whether an occluder that only touches a shaft reaches into it: only with closed contact. What hides a pair does
+  /// not depend on the contact.
   Contact contact = Contact::open;
   /// Whether a solid may make a pair `occluded` although a box of the pair reaches into it (for a flat solid: touches
   /// it). Rays that start inside a solid do not meet its front. Set it to false where answers must agree with rays.

@@ -20,8 +20,11 @@ struct MovingFaces {
   double end_minuend;  ///< t ends at end_minuend − end_subtrahend; +∞ if it does not
   double end_subtrahend;
 
-  explicit MovingFaces(const ShaftData& shaft) noexcept
-      : p(shaft.a), minuend(shaft.b), subtrahend(shaft.a), end_minuend(1), end_subtrahend(0) {
+  /// Faces that move from box a to box b, six faces each.
+  MovingFaces(const float* a, const float* b) noexcept
+      : p(a), minuend(b), subtrahend(a), end_minuend(1), end_subtrahend(0) {}
+
+  explicit MovingFaces(const ShaftData& shaft) noexcept : MovingFaces(shaft.a, shaft.b) {
     using enum ShaftData::Kind;
     if (shaft.kind == between) [[likely]]
       return;

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "exact/pair.hpp"
 
-#include "exact/blocking.hpp"
 #include "exact/expansion.hpp"
-#include "exact/polygon.hpp"
 #include "exact/predicates.hpp"
 
 namespace shaftcull::kernel {
@@ -27,18 +25,6 @@ bool is_outside_between(const float (&a)[6], const float (&b)[6], Contact contac
   ShaftData shaft;
   describe_pair(a, b, contact, shaft);
   return box_outside(shaft, bound);
-}
-
-bool blocks_between(const float (&a)[6], const float (&b)[6], const float (&bound)[6]) noexcept {
-  ShaftData shaft;
-  describe_pair(a, b, Contact::open, shaft);
-  return box_blocks(shaft, bound);
-}
-
-bool polygon_blocks_between(const float (&a)[6], const float (&b)[6], std::span<const Vec3> polygon) noexcept {
-  ShaftData shaft;
-  describe_pair(a, b, Contact::open, shaft);
-  return polygon_blocks(shaft, polygon);
 }
 
 bool is_point_behind(const float (&normal)[3], float offset, const float (&point)[3]) noexcept {

@@ -2,23 +2,13 @@
 /// Exact answers for the shaft between two boxes that was never compiled, and for planes of patches.
 #pragma once
 
-#include <span>
-
 #include "compiled/shaft_data.hpp"
-#include "shaftcull/bounds.hpp"
 
 namespace shaftcull::kernel {
 
 /// Whether the box with the faces of `bound` is outside of the shaft between boxes a and b: six finite faces each.
 [[nodiscard]] bool is_outside_between(const float (&a)[6], const float (&b)[6], Contact contact,
                                       const float (&bound)[6]) noexcept;
-
-/// Whether it blocks every segment between them, as shaftcull/occluded.hpp says.
-[[nodiscard]] bool blocks_between(const float (&a)[6], const float (&b)[6], const float (&bound)[6]) noexcept;
-
-/// Likewise for a flat convex polygon: three points or more, all finite.
-[[nodiscard]] bool polygon_blocks_between(const float (&a)[6], const float (&b)[6],
-                                          std::span<const Vec3> polygon) noexcept;
 
 /// Whether normal·p ≤ offset for a point, all finite.
 [[nodiscard]] bool is_point_behind(const float (&normal)[3], float offset, const float (&point)[3]) noexcept;

@@ -52,55 +52,113 @@ int orientation(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q) noex
   return orientation_in<Expansion<2>>(a, b, p, q).sign();
 }
 
-Vec3 corner(const float (&box)[6], unsigned which) noexcept {
-  Vec3 point{};
-  for (unsigned k = 0; k != 3; ++k) point[k] = box[(which >> k & 1U) != 0 ? k + 3 : k];
-  return point;
+/// Which signs the values of a function at some points have.
+struct Signs {
+  bool has_positive = false;
+  bool has_negative = false;
+  bool has_zero = false;
+
+  void add(int sign) noexcept {
+    has_positive |= sign > 0;
+    has_negative |= sign < 0;
+    has_zero |= sign == 0;
+  }
+  [[nodiscard]] bool are_mixed() const noexcept { return has_positive && has_negative; }
+};
+
+/// Which points of two hulls count.
+enum class Ends : unsigned char { relative_interiors, closed };
+
+/// The sign that a function has at all points of a hull that count, or 0 if there is none, or if it is 0 somewhere. The
+/// signs are those at the corners.
+///
+/// An affine function that is nowhere negative on a hull is positive in its relative interior, unless it is 0 on all of
+/// it. The same is true of a function that is affine in a point of either of two hulls.
+template <Ends ends>
+int common_sign(const Signs& signs) noexcept {
+  if (signs.are_mixed() || (ends == Ends::closed && signs.has_zero)) return 0;
+  return signs.has_positive ? 1 : signs.has_negative ? -1 : 0;
 }
 
-/// The sign that the orientations of all corners of a box have, or 0 if they differ or are 0.
-template <class Orientation>
-int common_sign(const float (&box)[6], const Orientation& of) noexcept {
-  const int first = of(corner(box, 0));
-  for (unsigned c = 1; c != 8 && first != 0; ++c) {
-    if (of(corner(box, c)) != first) return 0;
+/// The side of the line through any two points of the ends on which the edge from p to q passes, or 0.
+template <Ends ends>
+int side_of_edge(std::span<const Vec3> a, std::span<const Vec3> b, const Vec3& p, const Vec3& q) noexcept {
+  Signs signs;
+  for (const Vec3& from : a) {
+    for (const Vec3& to : b) {
+      signs.add(orientation(from, to, p, q));
+      if (signs.are_mixed()) return 0;
+    }
   }
-  return first;
+  return common_sign<ends>(signs);
+}
+
+/// The side of the plane of three points on which an end is, or 0.
+template <Ends ends>
+int side_of_plane(std::span<const Vec3> end, const Vec3& p, const Vec3& q, const Vec3& r) noexcept {
+  Signs signs;
+  for (const Vec3& point : end) signs.add(orientation(p, point, q, r));
+  return common_sign<ends>(signs);
 }
 
 /// Whether the ends are strictly on different sides of the plane of three points; also if these are on one line.
-bool passes_plane(const ShaftData& shaft, const Vec3& p, const Vec3& q, const Vec3& r) noexcept {
+template <Ends ends>
+bool passes_plane(std::span<const Vec3> a, std::span<const Vec3> b, const Vec3& p, const Vec3& q,
+                  const Vec3& r) noexcept {
   const auto cross = [&](std::size_t i, std::size_t j) {
     return (Expansion<2>::difference(q[i], p[i]) * Expansion<2>::difference(r[j], p[j]) -
             Expansion<2>::difference(q[j], p[j]) * Expansion<2>::difference(r[i], p[i]))
         .sign();
   };
   if (cross(0, 1) == 0 && cross(1, 2) == 0 && cross(2, 0) == 0) return true;
-  const auto side = [&](const Vec3& end) { return orientation(p, end, q, r); };
-  const int of_a = common_sign(shaft.a, side);
-  return of_a != 0 && common_sign(shaft.b, side) == -of_a;
+  const int of_a = side_of_plane<ends>(a, p, q, r);
+  return of_a != 0 && side_of_plane<ends>(b, p, q, r) == -of_a;
 }
 
-}  // namespace
-
-bool polygon_blocks(const ShaftData& shaft, std::span<const Vec3> polygon) noexcept {
+template <Ends ends>
+bool blocks(std::span<const Vec3> a, std::span<const Vec3> b, std::span<const Vec3> polygon) noexcept {
   const std::size_t points = polygon.size();
   int turn = 0;
   for (std::size_t i = 0; i != points; ++i) {
     const Vec3& p = polygon[i];
     const Vec3& q = polygon[i + 1 == points ? 0 : i + 1];
     if (p == q) continue;
-    const int side = common_sign(shaft.a, [&](const Vec3& a) {
-      return common_sign(shaft.b, [&](const Vec3& b) { return orientation(a, b, p, q); });
-    });
+    const int side = side_of_edge<ends>(a, b, p, q);
     if (side == 0 || side == -turn) return false;
     turn = side;
   }
   if (turn == 0) return false;
   for (std::size_t i = 2; i != points; ++i) {
-    if (!passes_plane(shaft, polygon[0], polygon[i - 1], polygon[i])) return false;
+    if (!passes_plane<ends>(a, b, polygon[0], polygon[i - 1], polygon[i])) return false;
   }
   return true;
+}
+
+}  // namespace
+
+BoxCorners::BoxCorners(const float (&face)[6]) noexcept {
+  for (unsigned c = 0; c != 8; ++c) {
+    Vec3 point{};
+    bool is_another = false;  // corner with a smaller number
+    for (unsigned k = 0; k != 3; ++k) {
+      const bool is_hi = (c >> k & 1U) != 0;
+      point[k] = face[is_hi ? k + 3 : k];
+      is_another |= is_hi && face[k] == face[k + 3];
+    }
+    if (!is_another) corner_[count_++] = point;
+  }
+}
+
+bool polygon_blocks(std::span<const Vec3> a, std::span<const Vec3> b, std::span<const Vec3> polygon) noexcept {
+  return blocks<Ends::relative_interiors>(a, b, polygon);
+}
+
+bool polygon_blocks_closed(std::span<const Vec3> a, std::span<const Vec3> b, std::span<const Vec3> polygon) noexcept {
+  return blocks<Ends::closed>(a, b, polygon);
+}
+
+bool polygon_blocks(const ShaftData& shaft, std::span<const Vec3> polygon) noexcept {
+  return polygon_blocks(BoxCorners(shaft.a).get(), BoxCorners(shaft.b).get(), polygon);
 }
 
 }  // namespace shaftcull::kernel

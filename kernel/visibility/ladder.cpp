@@ -30,7 +30,10 @@ void drop_unused(std::vector<std::uint32_t>& list, std::vector<std::uint64_t>& o
 }  // namespace
 
 Ladder::Ladder(const SightJob& job) : job_(job) {
-  for (unsigned f = 0; f != 6; ++f) packed_box_[f] = packed_.face[f];
+  for (unsigned f = 0; f != 6; ++f) {
+    packed_box_[f] = packed_.face[f];
+    packed_inward_[f] = packed_.face[(f + 3) % 6];
+  }
 }
 Ladder::~Ladder() = default;
 

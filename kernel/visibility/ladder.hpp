@@ -78,7 +78,8 @@ class Ladder {
               Selection& selection) const;
   void write_undecided(const Level& here, const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes);
   void form(const Side& fixed, unsigned lane, const Side& lanes, std::uint64_t asked);
-  void form(const Side& fixed, unsigned lane, const float* const* boxes, unsigned count, std::uint64_t asked);
+  void form(const Side& fixed, unsigned lane, const float* const* boxes, const float* const* inward, unsigned count,
+            std::uint64_t asked);
   void form_exchanged(const Side& fixed, unsigned lane, const Side& lanes, std::uint64_t asked);
   [[nodiscard]] std::uint64_t behind(const Side& lanes, std::uint32_t occluder, std::uint64_t asked);
   [[nodiscard]] std::uint64_t occluded_by_polygons(const std::uint32_t* polygons, std::size_t count,
@@ -95,8 +96,10 @@ class Ladder {
   Siblings siblings_;
   PackedBoxes packed_;
   const float* packed_box_[6];
-  float fixed_[6] = {};      // the box that all siblings_ begin at
-  float exchanged_[6] = {};  // likewise of form_exchanged()
+  const float* packed_inward_[6];
+  float fixed_[6] = {};         // the box that all siblings_ begin at
+  float fixed_inward_[6] = {};  // which of its faces are left out
+  float exchanged_[6] = {};     // likewise of form_exchanged()
   std::vector<PointsBehind> points_behind_;
   std::vector<std::uint64_t> clump_lanes_;  // of each clump, the lanes that come near it
   std::vector<std::uint64_t> near_;         // a bit an occluder, or a solid: whether one comes near its clump

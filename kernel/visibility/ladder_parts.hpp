@@ -17,12 +17,16 @@ struct Ladder::Side {
   unsigned count;
   std::uint32_t first;  ///< a group, or a position in the order of patches
   const float* box[6];
+  const float* inward[6];  ///< as Siblings has it
   PlaneStreams planes{};
 
   Side(const SightSet& of, std::uint32_t from, unsigned size, bool patches)
       : set(of), are_patches(patches), count(size), first(from) {
     const PatchStreams& streams = patches ? of.tree.patch_streams() : of.tree.group_streams();
-    for (unsigned s = 0; s != 6; ++s) box[s] = streams.stream(s) + from;
+    for (unsigned s = 0; s != 6; ++s) {
+      box[s] = streams.stream(s) + from;
+      inward[s] = (patches ? streams.stream((s + 3) % 6) : of.tree.group_inward(s)) + from;
+    }
     if (!streams.has_planes()) return;
     for (unsigned k = 0; k != 3; ++k) {
       planes.least_normal[k] = streams.stream(6 + k) + from;
@@ -51,6 +55,10 @@ struct Ladder::Side {
   /// The box of a lane, six faces.
   void copy_box(unsigned lane, float (&to)[6]) const noexcept {
     for (unsigned s = 0; s != 6; ++s) to[s] = box[s][lane];
+  }
+  /// Which faces of it are left out, as Siblings has it.
+  void copy_inward(unsigned lane, float (&to)[6]) const noexcept {
+    for (unsigned s = 0; s != 6; ++s) to[s] = inward[s][lane];
   }
   /// The patches of lanes side by side.
   [[nodiscard]] PatchRun run(unsigned lane, unsigned lanes) const noexcept {

@@ -132,7 +132,7 @@ void Ladder::answer_patches(Level& here, const Side& rows, unsigned row, const S
   std::uint64_t left = packs ? first_lanes(count) : lanes;
   if (packs) {
     kernels.pack(columns.box, columns.count, lanes, packed_);
-    form(rows, row, packed_box_, count, left);
+    form(rows, row, packed_box_, packed_inward_, count, left);
   } else {
     form(rows, row, columns, lanes);
   }

@@ -2,12 +2,14 @@
 /// The ladder's shafts, from a group or patch to those of the other side, and which occluders concern them.
 #include <span>
 
-#include "exact/pair.hpp"
+#include "exact/polygon.hpp"
 #include "visibility/ladder_parts.hpp"
 #include "visibility/lanes.hpp"
 
 namespace shaftcull::kernel {
 namespace {
+
+using BetweenHulls = bool(std::span<const Vec3>, std::span<const Vec3>, std::span<const Vec3>) noexcept;
 
 /// Occluders with more points are looked up rather than tested again.
 constexpr std::size_t few_points = 64;
@@ -16,14 +18,18 @@ constexpr std::size_t few_points = 64;
 
 /// Forms shafts from a box of one side to all of another.
 void Ladder::form(const Side& fixed, unsigned lane, const Side& lanes, std::uint64_t asked) {
-  form(fixed, lane, lanes.box, lanes.count, asked);
+  form(fixed, lane, lanes.box, lanes.inward, lanes.count, asked);
   siblings_.are_groups = !fixed.are_patches || !lanes.are_patches;
 }
 
 /// Likewise to boxes of patches.
-void Ladder::form(const Side& fixed, unsigned lane, const float* const* boxes, unsigned count, std::uint64_t asked) {
+void Ladder::form(const Side& fixed, unsigned lane, const float* const* boxes, const float* const* inward,
+                  unsigned count, std::uint64_t asked) {
   fixed.copy_box(lane, fixed_);
+  fixed.copy_inward(lane, fixed_inward_);
   job_.kernels.form(fixed_, boxes, count, asked, siblings_);
+  siblings_.fixed_inward = fixed_inward_;
+  siblings_.other_inward = inward;
   siblings_.contact = job_.contact;
   siblings_.are_groups = !fixed.are_patches;
   siblings_.solids_around_ends = job_.solids_around_ends;
@@ -66,6 +72,7 @@ std::uint64_t Ladder::behind(const Side& lanes, std::uint32_t occluder, std::uin
 std::uint64_t Ladder::occluded_by_polygons(const std::uint32_t* polygons, std::size_t count,
                                            const std::uint64_t* may_block, std::uint64_t asked) const {
   std::uint64_t occluded = 0;
+  const BoxCorners fixed(fixed_);
   for (std::size_t i = 0; i != count && (asked & ~occluded) != 0; ++i) {
     const std::uint64_t may = asked & ~occluded & (may_block == nullptr ? ~std::uint64_t{0} : may_block[i]);
     std::uint64_t met = 0;
@@ -73,7 +80,9 @@ std::uint64_t Ladder::occluded_by_polygons(const std::uint32_t* polygons, std::s
     for_each_lane(met, [&](unsigned lane) {
       float other[6];
       for (unsigned f = 0; f != 6; ++f) other[f] = siblings_.other[f][lane];
-      if (polygon_blocks_between(fixed_, other, job_.occluders.points_of(polygons[i]))) occluded |= bit(lane);
+      // The relative interior of a patch may lie in the surface of its group.
+      const auto& blocks = siblings_.are_groups ? polygon_blocks_closed : static_cast<BetweenHulls&>(polygon_blocks);
+      if (blocks(fixed.get(), BoxCorners(other).get(), job_.occluders.points_of(polygons[i]))) occluded |= bit(lane);
     });
   }
   return occluded;

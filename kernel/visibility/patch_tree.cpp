@@ -114,6 +114,7 @@ PatchTree::PatchTree(const BoxView& boxes, std::span<const Plane> planes) {
 
   // Children come after their parents.
   group_streams_ = PatchStreams(groups_.size(), has_planes, true);
+  for (std::vector<float>& inward : group_inward_) inward.resize(groups_.size() + most_siblings);
   for (std::size_t g = groups_.size(); g-- > 0;) {
     const PatchGroup& group = groups_[g];
     const PatchStreams& children = group.has_patches ? patch_streams_ : group_streams_;
@@ -124,6 +125,16 @@ PatchTree::PatchTree(const BoxView& boxes, std::span<const Plane> planes) {
     const auto largest = [](FourFloats a, FourFloats b) { return maximum(a, b); };
     for (std::size_t k = 0; k != 3; ++k) fold(k, least);
     for (std::size_t k = 3; k != 6; ++k) fold(k, largest);
+    for (std::size_t f = 0; f != 6; ++f) {
+      const float face = group_streams_.stream(f)[g];
+      const float opposite = group_streams_.stream((f + 3) % 6)[g];
+      const float* const child = children.stream(f) + group.first_child;
+      const float* const inward =
+          (group.has_patches ? patch_streams_.stream((f + 3) % 6) : group_inward_[f].data()) + group.first_child;
+      bool is_left_out = true;
+      for (std::size_t i = 0; i != group.children; ++i) is_left_out &= child[i] != face || inward[i] != face;
+      group_inward_[f][g] = is_left_out ? opposite : face;
+    }
     if (!has_planes) continue;
     for (std::size_t k = 6; k != 9; ++k) fold(k, least);
     for (std::size_t k = 9; k != 12; ++k) fold(k, largest);

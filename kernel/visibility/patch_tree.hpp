@@ -69,6 +69,9 @@ class PatchTree {
   [[nodiscard]] const std::vector<PatchGroup>& groups() const noexcept { return groups_; }
   [[nodiscard]] const PatchStreams& patch_streams() const noexcept { return patch_streams_; }
   [[nodiscard]] const PatchStreams& group_streams() const noexcept { return group_streams_; }
+  /// Of each group's box, a coordinate on the inner side of face f, or that of the face if the relative interior of a
+  /// patch lies in it: as OpenBox has it (exact/blocking.hpp). Padded as streams are.
+  [[nodiscard]] const float* group_inward(std::size_t f) const noexcept { return group_inward_[f].data(); }
   [[nodiscard]] bool has_planes() const noexcept { return patch_streams_.has_planes(); }
   /// The largest magnitude of a coordinate of a box.
   [[nodiscard]] float largest_coordinate() const noexcept { return largest_coordinate_; }
@@ -78,6 +81,7 @@ class PatchTree {
   std::vector<PatchGroup> groups_;
   PatchStreams patch_streams_;
   PatchStreams group_streams_;
+  std::array<std::vector<float>, 6> group_inward_;
   float largest_coordinate_ = 0;
 };
 

@@ -16,6 +16,8 @@
 #include "columns.hpp"
 #include "cull/agreement.hpp"
 #include "dispatch/active_kernels.hpp"
+#include "exact/blocking.hpp"
+#include "exact/polygon.hpp"
 #include "guarded_floats.hpp"
 #include "instruction_sets.hpp"
 #include "message_of.hpp"
@@ -115,6 +117,48 @@ void check(std::uint64_t seed, std::size_t shafts, std::size_t one_in, const Mak
   EXPECT_GE(blocking * one_in, boxes) << "too few boxes block";
 }
 
+/// A rational point of a box, in its relative interior; often near a corner, where few segments decide.
+oracle::RationalPoint inner_point(Random& random, const Box& box) {
+  oracle::RationalPoint point;
+  const bool is_near_corner = !random.one_in(3);
+  for (std::size_t k = 0; k != 3; ++k) {
+    const unsigned of_997 = is_near_corner ? (random.one_in(2) ? 1U : 996U) : 1 + random.below(996);
+    const mpq_class part(of_997, 997);
+    point[k] = box.lo[k] + part * (mpq_class(box.hi[k]) - box.lo[k]);
+  }
+  return point;
+}
+
+TEST(Oracle, SegmentsBetweenRelativeInteriorsPassWhatBlocks) {
+  constexpr std::uint64_t seed = 702;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  std::size_t blocking = 0;
+  std::size_t seen_free = 0;
+  std::size_t free = 0;
+  for (std::size_t i = 0; i != random_cases(3000); ++i) {
+    const ShaftInput input{random.grid_box(0, 3), random.grid_box(0, 3)};
+    Box box = random.grid_box(-1, 4);
+    const std::size_t across = random.below(4);  // of 3, no wall
+    for (std::size_t k = 0; k != 3 && across != 3; ++k) {
+      if (k == across) continue;
+      box.lo[k] = random.integer(-1, 0);
+      box.hi[k] = random.integer(3, 4);
+    }
+    const bool is_blocking = oracle::blocks(input.a, input.b, box);
+    bool is_free = false;
+    for (int n = 0; n != 60 && !is_free; ++n) {
+      is_free = !oracle::passes_through(inner_point(random, input.a), inner_point(random, input.b), box);
+    }
+    EXPECT_FALSE(is_blocking && is_free) << source_text(input) << "\n  " << source_text(box);
+    blocking += is_blocking ? 1U : 0U;
+    free += is_blocking ? 0U : 1U;
+    seen_free += is_free ? 1U : 0U;
+  }
+  EXPECT_GE(blocking, random_cases(200));
+  EXPECT_GE(seen_free * 10, free * 9) << "of most boxes that do not block, a sample shows it";
+}
+
 TEST(Oracle, TheSegmentsBetweenCornersDecideForAllSegments) {
   constexpr std::uint64_t seed = 701;
   SCOPED_TRACE("seed " + std::to_string(seed));
@@ -205,7 +249,53 @@ TEST(Occluded, TheWallThatAPatchLiesOnDoesNotBlockIt) {
     const Box narrow_screen{{1, 1, 2}, {2, 2, 2}};
     EXPECT_FALSE(occluded(compile(patch, other), wall));
     EXPECT_TRUE(occluded(compile(patch, other), screen));
-    EXPECT_FALSE(occluded(compile(patch, other), narrow_screen)) << "segments run along its edges";
+    EXPECT_TRUE(occluded(compile(patch, other), narrow_screen)) << "only segments between edges run along its edges";
+  });
+}
+
+TEST(Occluded, TheMiddleOneOfThreeEqualCubesHidesTheOthers) {
+  on_each_instruction_set([] {
+    const Box first{{0, 0, 0}, {1, 1, 1}};
+    const Box middle{{2, 0, 0}, {3, 1, 1}};
+    const Box last{{4, 0, 0}, {5, 1, 1}};
+    EXPECT_TRUE(occluded(compile(first, last), BoxColumns({middle}).view()));
+    EXPECT_TRUE(occluded(compile(last, first), middle));
+    EXPECT_FALSE(occluded(compile(first, last), Box{{2, 0, 0}, {3, 1, 0.875F}}));
+    const Box tops[] = {{{0, 0, 1}, {1, 1, 1}}, {{4, 0, 1}, {5, 1, 1}}};
+    EXPECT_FALSE(occluded(compile(tops[0], tops[1]), middle)) << "segments between two tops run along the third";
+    EXPECT_TRUE(occluded(compile(tops[0], last), middle)) << "those from a top into a cube do not";
+  });
+}
+
+TEST(Occluded, AWallFromFloorToCeilingHidesTheNextRoom) {
+  on_each_instruction_set([] {
+    const Box wall{{4, 0, 0}, {4.25F, 5, 3}};
+    const Box side{{1, 5, 1}, {2, 5, 3}};  // a part of a wall, up to the ceiling
+    const Box ceiling{{6, 4, 3}, {7, 5, 3}};
+    const Box floor{{6, 4, 0}, {7, 5, 0}};
+    const Box other_ceiling{{1, 1, 3}, {2, 2, 3}};
+    for (const Box& solid : {wall, Box{{4, 0, 0}, {4, 5, 3}}}) {
+      EXPECT_TRUE(occluded(compile(side, ceiling), solid));
+      EXPECT_TRUE(occluded(compile(side, floor), solid));
+      EXPECT_TRUE(occluded(compile(other_ceiling, floor), solid));
+      EXPECT_FALSE(occluded(compile(other_ceiling, ceiling), solid)) << "all segments run along the wall's edge";
+    }
+    const std::vector<Vec3> sheet = {{4, 0, 0}, {4, 5, 0}, {4, 5, 3}, {4, 0, 3}};
+    EXPECT_TRUE(occluded(compile(side, ceiling), sheet));
+    EXPECT_FALSE(occluded(compile(other_ceiling, ceiling), sheet));
+  });
+}
+
+TEST(Occluded, AnEndThatTouchesTheSolidIsHiddenUnlessItLiesInItsFace) {
+  on_each_instruction_set([] {
+    const Box solid{{0, 0, 0}, {4, 4, 1}};
+    const Box below{{1, 1, -2}, {2, 2, -1}};
+    EXPECT_TRUE(occluded(compile(Box{{1, 1, 1}, {2, 2, 2}}, below), solid)) << "it stands on the solid";
+    EXPECT_FALSE(occluded(compile(Box{{1, 1, 1}, {2, 2, 1}}, Box{{1, 1, 3}, {2, 2, 3}}), solid)) << "it lies on it";
+    EXPECT_TRUE(occluded(compile(Box{{1, 1, 1}, {2, 2, 1}}, below), solid)) << "it is seen through the solid alone";
+    const std::vector<Vec3> sheet = {{0, 0, 1}, {4, 0, 1}, {4, 4, 1}, {0, 4, 1}};
+    EXPECT_TRUE(occluded(compile(Box{{1, 1, 1}, {2, 2, 2}}, below), sheet));
+    EXPECT_FALSE(occluded(compile(Box{{1, 1, 1}, {2, 2, 1}}, below), sheet));
   });
 }
 
@@ -358,6 +448,96 @@ TEST(Occluded, PolygonsAreAnsweredExactly) {
     EXPECT_TRUE(oracle::blocks(input.a, input.b, polygon, 2)) << "corners do not decide";
   }
   EXPECT_GE(blocking, random_cases(100));
+}
+
+/// Ends that are not boxes: convex polygons and single points, on a grid.
+std::vector<Vec3> lattice_end(Random& random) {
+  if (random.one_in(8)) return {Vec3{random.integer(-6, 6), random.integer(-6, 6), random.integer(-6, 6)}};
+  return lattice_polygon(random);
+}
+
+TEST(Occluded, HullsOfPointsAsEndsAreAnsweredExactly) {
+  constexpr std::uint64_t seed = 743;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  std::size_t blocking = 0;
+  for (std::size_t i = 0; i != random_cases(6000); ++i) {
+    std::vector<Vec3> a = lattice_end(random);
+    std::vector<Vec3> b = lattice_end(random);
+    const std::size_t axis = random.below(3);
+    const float apart = random.integer(0, 60);
+    for (Vec3& corner : b) corner[axis] += apart;
+    // Around the middle, with faces that end flush with the ends in places.
+    Box box{};
+    for (std::size_t k = 0; k != 3; ++k) {
+      const auto less = [k](const Vec3& p, const Vec3& q) { return p[k] < q[k]; };
+      const auto [least_of_a, largest_of_a] = std::minmax_element(a.begin(), a.end(), less);
+      const auto [least_of_b, largest_of_b] = std::minmax_element(b.begin(), b.end(), less);
+      box.lo[k] = random.one_in(2) ? (*least_of_a)[k] : (*least_of_b)[k];
+      box.hi[k] = random.one_in(2) ? (*largest_of_a)[k] : (*largest_of_b)[k];
+      if (random.one_in(4)) box.lo[k] -= random.integer(-1, 9);
+      if (random.one_in(4)) box.hi[k] += random.integer(-1, 9);
+      if (k == axis && !random.one_in(4)) {
+        box.lo[k] = (*largest_of_a)[k] + random.integer(0, 2);
+        box.hi[k] = random.one_in(3) ? box.lo[k] : (*least_of_b)[k] - random.integer(0, 2);
+      }
+      if (box.hi[k] < box.lo[k]) std::swap(box.lo[k], box.hi[k]);
+    }
+    const float bound[6] = {box.lo[0], box.lo[1], box.lo[2], box.hi[0], box.hi[1], box.hi[2]};
+    const bool right = oracle::blocks(a, b, box);
+    blocking += right ? 1U : 0U;
+    ASSERT_EQ(kernel::box_blocks(a, b, bound), right)
+        << testing::PrintToString(a) << "\n  " << testing::PrintToString(b) << "\n  " << source_text(box);
+  }
+  EXPECT_GE(blocking, random_cases(200));
+}
+
+TEST(Occluded, PolygonsBetweenHullsOfPointsAreAnsweredExactly) {
+  constexpr std::uint64_t seed = 744;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  std::size_t blocking = 0;
+  for (std::size_t i = 0; i != random_cases(6000); ++i) {
+    std::vector<Vec3> a = lattice_end(random);
+    std::vector<Vec3> b = lattice_end(random);
+    std::vector<Vec3> polygon = lattice_polygon(random);
+    const std::size_t axis = random.below(3);
+    if (random.one_in(2)) {  // a rectangle that ends flush with the ends in places
+      const std::size_t u = (axis + 1) % 3;
+      const std::size_t v = (axis + 2) % 3;
+      const Vec3 lo = a[random.below(static_cast<unsigned>(a.size()))];
+      const Vec3 hi = b[random.below(static_cast<unsigned>(b.size()))];
+      if (lo[u] == hi[u] || lo[v] == hi[v]) continue;
+      polygon.assign(4, lo);
+      polygon[1][u] = polygon[2][u] = hi[u];
+      polygon[2][v] = polygon[3][v] = hi[v];
+    }
+    const float apart = random.integer(0, 60);
+    for (Vec3& corner : a) corner[axis] -= apart;
+    for (Vec3& corner : b) corner[axis] += apart;
+    const bool right = oracle::blocks(a, b, polygon);
+    blocking += right ? 1U : 0U;
+    ASSERT_EQ(kernel::polygon_blocks(a, b, polygon), right)
+        << testing::PrintToString(a) << "\n  " << testing::PrintToString(b) << "\n  "
+        << testing::PrintToString(polygon);
+  }
+  EXPECT_GE(blocking, random_cases(100));
+}
+
+TEST(Occluded, CornersOfABoxAnswerAsTheBoxDoes) {
+  constexpr std::uint64_t seed = 745;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  for (std::size_t i = 0; i != random_cases(6000); ++i) {
+    const ShaftInput input = random.one_in(2) ? grid_shaft(random, 4) : random_shaft(random);
+    const Box box = blocking_box(random, input);
+    const float bound[6] = {box.lo[0], box.lo[1], box.lo[2], box.hi[0], box.hi[1], box.hi[2]};
+    const CompiledShaft compiled = compile(input.a, input.b);
+    const kernel::ShaftData& shaft = kernel::data_of(compiled);
+    ASSERT_EQ(kernel::box_blocks(kernel::BoxCorners(shaft.a).get(), kernel::BoxCorners(shaft.b).get(), bound),
+              kernel::box_blocks(shaft, bound))
+        << source_text(input) << "\n  " << source_text(box);
+  }
 }
 
 TEST(Occluded, AFlatBoxBlocksAsThePolygonOfItsCornersDoes) {

@@ -113,6 +113,18 @@ TEST_P(PatchTreeOf, HasEachPatchInOneGroupAndBoundsThatAreTight) {
               k, [&](std::uint32_t i) { return patches.boxes[i].lo[k]; }, false);
           expect_best(
               k + 3, [&](std::uint32_t i) { return patches.boxes[i].hi[k]; }, true);
+          // A face is left out unless a patch is flat and lies in it.
+          bool has_lo = false;
+          bool has_hi = false;
+          const float lo = tree.group_streams().stream(k)[g];
+          const float hi = tree.group_streams().stream(k + 3)[g];
+          for (const std::uint32_t i : tree.order().subspan(group.first, group.count)) {
+            const Box& box = patches.boxes[i];
+            has_lo |= box.lo[k] == box.hi[k] && box.lo[k] == lo;
+            has_hi |= box.lo[k] == box.hi[k] && box.hi[k] == hi;
+          }
+          ASSERT_EQ(tree.group_inward(k)[g], has_lo ? lo : hi) << "group " << g;
+          ASSERT_EQ(tree.group_inward(k + 3)[g], has_hi ? hi : lo) << "group " << g;
           if (!with_planes) continue;
           expect_best(
               k + 6, [&](std::uint32_t i) { return patches.planes[i].normal[k]; }, false);

@@ -38,13 +38,17 @@ class Streams {
       memory_[s].assign(2 * most_siblings, 0.0F);
       for (std::size_t i = 0; i != boxes.size(); ++i) memory_[s][i] = s < 3 ? boxes[i].lo[s] : boxes[i].hi[s - 3];
       stream_[s] = memory_[s].data();
+      opposite_[(s + 3) % 6] = memory_[s].data();
     }
   }
   [[nodiscard]] const float* const* get() const { return stream_; }
+  /// The opposite faces: of relative interiors, all faces are left out.
+  [[nodiscard]] const float* const* inward() const { return opposite_; }
 
  private:
   std::vector<float> memory_[6];
   const float* stream_[6] = {};
+  const float* opposite_[6] = {};
 };
 
 /// The shafts from one box to up to 64 others, with all that is true of them.
@@ -109,6 +113,10 @@ void expect_exact(const Word& word, Random& random) {
   siblings.contact = word.question.contact;
   siblings.solids_around_ends = word.question.solids_around_ends;
   siblings.are_groups = false;
+  const Box& end = word.question.a.front();
+  const float fixed_inward[6] = {end.hi[0], end.hi[1], end.hi[2], end.lo[0], end.lo[1], end.lo[2]};
+  siblings.fixed_inward = fixed_inward;
+  siblings.other_inward = others.inward();
 
   std::vector<std::uint32_t> list(word.bounds.size());
   std::vector<std::uint64_t> may(list.size());

@@ -492,9 +492,9 @@ class Boxes(Bounds):
         exclude_mask: npt.ArrayLike | None = None,
         layer_mask: _Integers | None = None,
     ) -> _Bools:
-        """Whether one of the boxes, which are solid, hides one end of a shaft from the other: every segment from a to
-        b passes through it, and touching does not count. bool (n,), or a bool for one shaft. ValueError for shafts
-        that are not between boxes.
+        """Whether one of the boxes, which are solid, hides one end of a shaft from the other: every segment between
+        the relative interiors of a and b passes through it, which is more than to touch it. bool (n,), or a bool
+        for one shaft. ValueError for shafts that are not between boxes.
 
         shafts, b: Shafts of shape (n,) or (); a ConvexHull; or boxes a and b, as Shafts.between() takes them.
         exclude: integers (k,), or one: bounds to leave out for all shafts, such as the moving body itself.

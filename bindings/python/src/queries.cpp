@@ -123,9 +123,9 @@ shafts: Shafts of shape (). indices: integers (k,). ValueError for more shafts a
 /// Queries of boxes that are solid.
 void add_occluders(py::class_<HolderOf<Box>, Holder>& to) {
   ask(to, "occluded", &ask_occluded, R"(
-Whether one of the boxes, which are solid, hides one end of a shaft from the other: every segment from a to
-b passes through it, and touching does not count. bool (n,), or a bool for one shaft. ValueError for shafts
-that are not between boxes.)");
+Whether one of the boxes, which are solid, hides one end of a shaft from the other: every segment between
+the relative interiors of a and b passes through it, which is more than to touch it. bool (n,), or a bool
+for one shaft. ValueError for shafts that are not between boxes.)");
   ask(to, "find_occluder", &ask_find_occluder, R"(
 The index of a box that hides one end of a shaft from the other, as occluded() says: int64 (n,), or an int
 for one shaft; -1 for none.)");

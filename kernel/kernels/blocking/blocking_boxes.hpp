@@ -2,7 +2,7 @@
 /// Boxes that block a shaft: boxes that every segment from its one end to the other passes through.
 ///
 /// Such a box satisfies lo(t) > box.lo and hi(t) < box.hi for all pairs of constraints on different axes, and on every
-/// axis it reaches across: box.lo is less than one end's lo face, and box.hi greater than one end's hi face
+/// axis it reaches across: box.lo is less than all coordinates of one end's relative interior, and box.hi greater
 /// (docs/exactness.md). Comparisons decide the second part, exactly, and leave few boxes.
 #pragma once
 
@@ -32,6 +32,16 @@ template <class L>
 bool has_reciprocal(float travel) noexcept {
   const float length = fabsf(travel);
   return length >= 0x1p-126F && length <= 0x1p126F;
+}
+
+/// The least float that is no less than all coordinates from lo to hi, and for lo < hi between them: a float is less
+/// than this one iff it is less than all of these.
+template <class L>
+float limit_of_lo(float lo, float hi) noexcept {
+  if (!(lo < hi)) return lo;
+  const float zeros_joined = lo + 0.0F;
+  const auto bits = __builtin_bit_cast(std::uint32_t, zeros_joined);
+  return __builtin_bit_cast(float, zeros_joined < 0 ? bits - 1 : bits + 1);
 }
 
 /// Whether the shaft's two boxes lie in one plane across an axis.
@@ -74,8 +84,12 @@ class OcclusionConstraints {
       until_[f] = L::all(is_exact ? 0 : until[f]);
     }
     for (unsigned k = 0; k < 3; ++k) {
-      largest_lo_[k] = L::all(shaft.a[k] > shaft.b[k] ? shaft.a[k] : shaft.b[k]);
-      smallest_hi_[k] = L::all(shaft.a[k + 3] < shaft.b[k + 3] ? shaft.a[k + 3] : shaft.b[k + 3]);
+      const float a_lo = limit_of_lo<L>(shaft.a[k], shaft.a[k + 3]);
+      const float b_lo = limit_of_lo<L>(shaft.b[k], shaft.b[k + 3]);
+      const float a_hi = -limit_of_lo<L>(-shaft.a[k + 3], -shaft.a[k]);
+      const float b_hi = -limit_of_lo<L>(-shaft.b[k + 3], -shaft.b[k]);
+      largest_lo_[k] = L::all(a_lo > b_lo ? a_lo : b_lo);
+      smallest_hi_[k] = L::all(a_hi < b_hi ? a_hi : b_hi);
     }
     // Where floats would overflow, nothing is certain.
     certain_ = L::all(is_exact ? -1.0F : 1 - blocking_margin);

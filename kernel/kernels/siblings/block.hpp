@@ -5,7 +5,7 @@
 /// lo(t) > x bounds t from below if lo grows.
 #pragma once
 
-#include "exact/pair.hpp"
+#include "exact/blocking.hpp"
 #include "kernels/shared/two_axes.hpp"
 #include "kernels/siblings/form.hpp"
 #include "support/compiler.hpp"
@@ -32,24 +32,24 @@ class SolidInLanes {
     std::uint64_t undecided = 0;
     for (unsigned lane = 0; lane < siblings.count; lane += L::width) {
       if ((asked & lanes_of<L>(lane)) == 0) continue;
-      const std::uint64_t across =
-          L::bits(is_flat_ ? reaches_across<true>(siblings, lane) : reaches_across<false>(siblings, lane)) << lane;
-      if ((asked & across) == 0) continue;
+      const std::uint64_t touching = L::bits(may_reach_across(siblings, lane)) << lane;
+      if ((asked & touching) == 0) continue;
+      const std::uint64_t across = touching & L::bits(reaches_across(siblings, lane)) << lane;
       const Vector sum = largest_sum(siblings, lane);
-      const std::uint64_t possible = across & L::bits(L::less_equal(sum, L::all(1 + margin()))) << lane;
-      std::uint64_t certain = L::bits(L::less(sum, L::all(1 - margin()))) << lane;
-      if (is_flat_) certain &= L::bits(reaches_across<false>(siblings, lane)) << lane;
-      occluded |= across & certain;
-      undecided |= possible & ~certain;
+      const std::uint64_t possible = L::bits(L::less_equal(sum, L::all(1 + margin()))) << lane;
+      const std::uint64_t certain = across & L::bits(L::less(sum, L::all(1 - margin()))) << lane;
+      occluded |= certain;
+      // A flat solid may be in the plane of both ends.
+      undecided |= (is_flat_ ? touching : across) & possible & ~certain;
     }
     occluded &= asked;
     undecided = (undecided | siblings.inexact) & asked;
     if (undecided == 0) [[likely]]
       return occluded;
-    const SixFaces<L> fixed(siblings.fixed);
     const SixFaces<L> solid(solid_.face);
     return (occluded & ~undecided) | decide_lanes<L>(undecided, [&](unsigned lane) {
-             return blocks_between(fixed.face, OtherBox<L>(siblings, lane).face, solid.face);
+             const OpenEnds<L> ends(siblings, lane);
+             return box_blocks(ends.fixed, ends.other, solid.face);
            });
   }
 
@@ -58,10 +58,9 @@ class SolidInLanes {
     std::uint64_t possible = siblings.inexact;
     for (unsigned lane = 0; lane < siblings.count; lane += L::width) {
       if ((asked & lanes_of<L>(lane)) == 0) continue;
-      const std::uint64_t across =
-          L::bits(is_flat_ ? reaches_across<true>(siblings, lane) : reaches_across<false>(siblings, lane)) << lane;
-      if ((asked & across) == 0) continue;
-      possible |= across & L::bits(L::less_equal(largest_sum(siblings, lane), L::all(1 + margin()))) << lane;
+      const std::uint64_t touching = L::bits(may_reach_across(siblings, lane)) << lane;
+      if ((asked & touching) == 0) continue;
+      possible |= touching & L::bits(L::less_equal(largest_sum(siblings, lane), L::all(1 + margin()))) << lane;
     }
     return possible & asked;
   }
@@ -69,24 +68,32 @@ class SolidInLanes {
  private:
   static float margin() noexcept { return blocking_margin; }
 
-  /// Whether it reaches across a shaft on all axes. A flat one may do so by touching, if it is in the plane of both
-  /// ends.
-  template <bool closed>
-  [[nodiscard]] Mask reaches_across(const Siblings& siblings, unsigned lane) const noexcept {
-    Mask across = reaches_across<closed>(siblings, lane, 0);
+  /// Whether it reaches across a shaft on all axes, or touches it.
+  [[nodiscard]] Mask may_reach_across(const Siblings& siblings, unsigned lane) const noexcept {
+    Mask may = may_reach_across(siblings, lane, 0);
     SHAFTCULL_UNROLL(2)
-    for (unsigned k = 1; k < 3; ++k) across = L::both(across, reaches_across<closed>(siblings, lane, k));
+    for (unsigned k = 1; k < 3; ++k) may = L::both(may, may_reach_across(siblings, lane, k));
+    return may;
+  }
+  [[nodiscard]] Mask may_reach_across(const Siblings& siblings, unsigned lane, unsigned k) const noexcept {
+    return L::both(L::less_equal(face_[k], L::load(&siblings.inner[k][lane])),
+                   L::less_equal(L::load(&siblings.inner[k + 3][lane]), face_[k + 3]));
+  }
+
+  /// Whether it reaches across: of each of its faces, one of the two ends is on the inner side.
+  [[nodiscard]] Mask reaches_across(const Siblings& siblings, unsigned lane) const noexcept {
+    Mask across = has_end_within(siblings, lane, 0);
+    SHAFTCULL_UNROLL(5)
+    for (unsigned f = 1; f < 6; ++f) across = L::both(across, has_end_within(siblings, lane, f));
     return across;
   }
-  template <bool closed>
-  [[nodiscard]] Mask reaches_across(const Siblings& siblings, unsigned lane, unsigned k) const noexcept {
-    const Vector largest_lo = L::load(&siblings.inner[k][lane]);
-    const Vector smallest_hi = L::load(&siblings.inner[k + 3][lane]);
-    if constexpr (closed) {
-      return L::both(L::less_equal(face_[k], largest_lo), L::less_equal(smallest_hi, face_[k + 3]));
-    } else {
-      return L::both(L::less(face_[k], largest_lo), L::less(smallest_hi, face_[k + 3]));
-    }
+  [[nodiscard]] Mask has_end_within(const Siblings& siblings, unsigned lane, unsigned f) const noexcept {
+    const auto precedes = [&](Vector face, Vector inward) {
+      return f < 3 ? L::both(L::less_equal(face_[f], face), L::less(face_[f], inward))
+                   : L::both(L::less_equal(face, face_[f]), L::less(inward, face_[f]));
+    };
+    return L::either(precedes(L::all(siblings.fixed[f]), L::all(siblings.fixed_inward[f])),
+                     precedes(L::load(siblings.other[f] + lane), L::load(siblings.other_inward[f] + lane)));
   }
 
   /// Siblings into one of whose ends it reaches: its inside, or if it is flat, itself.

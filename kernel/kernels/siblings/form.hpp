@@ -2,6 +2,7 @@
 /// Forming sibling shafts.
 #pragma once
 
+#include "exact/blocking.hpp"
 #include "kernels/blocking/blocking_boxes.hpp"
 #include "kernels/shared/word.hpp"
 #include "kernels/siblings/siblings.hpp"
@@ -51,6 +52,22 @@ struct OtherBox {
 
   OtherBox(const Siblings& siblings, unsigned lane) noexcept {
     for (unsigned f = 0; f < 6; ++f) face[f] = siblings.other[f][lane];
+  }
+};
+
+/// The two ends of a sibling without the faces that are left out.
+template <class L>
+struct OpenEnds {
+  OpenBox fixed;
+  OpenBox other;
+
+  OpenEnds(const Siblings& siblings, unsigned lane) noexcept {
+    for (unsigned f = 0; f < 6; ++f) {
+      fixed.face[f] = siblings.fixed[f];
+      fixed.inward[f] = siblings.fixed_inward[f];
+      other.face[f] = siblings.other[f][lane];
+      other.inward[f] = siblings.other_inward[f][lane];
+    }
   }
 };
 

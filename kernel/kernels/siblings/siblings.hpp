@@ -38,7 +38,10 @@ struct Siblings {
   bool solids_around_ends;    ///< whether a solid that reaches into an end may block
   const float* fixed;         ///< six faces
   const float* const* other;  ///< six streams
-  std::uint64_t inexact;      ///< where floats overflow: exact predicates decide alone
+  /// Which faces of the boxes are left out of the ends, where solids are concerned (OpenBox in exact/blocking.hpp).
+  const float* fixed_inward;
+  const float* const* other_inward;
+  std::uint64_t inexact;  ///< where floats overflow: exact predicates decide alone
   alignas(64) float outer[6][most_siblings];
   alignas(64) float inner[6][most_siblings];
   alignas(64) float forward[6][most_siblings];
@@ -88,7 +91,7 @@ struct SiblingKernels {
                         std::uint32_t* selected, std::uint64_t* may) noexcept;
 
   /// Forms the shafts, of `count` ≤ most_siblings, that are in `lanes`: others must not be asked. `contact`,
-  /// `are_groups` and `solids_around_ends` are the caller's to set.
+  /// `are_groups`, `solids_around_ends`, `fixed_inward` and `other_inward` are the caller's to set.
   void (*form)(const float* fixed, const float* const* other, unsigned count, std::uint64_t lanes,
                Siblings& siblings) noexcept;
 
