@@ -8,6 +8,7 @@
 #include <cmath>
 #include <compare>
 #include <limits>
+#include <utility>
 
 namespace shaftcull::oracle {
 
@@ -75,6 +76,12 @@ Digits digits_of(const SightQuestion& question) {
   for (const auto* planes : {&question.a_planes, &question.b_planes}) {
     for (const Plane& plane : *planes) digits.add(plane);
   }
+  for (const auto* patches : {&question.a_corners, &question.b_corners}) {
+    for (const std::vector<Vec3>& corners : *patches) {
+      for (const Vec3& corner : corners) digits.add(corner);
+    }
+  }
+  digits.add(question.tolerance);
   for (const SightOccluder& occluder : question.occluders) {
     digits.add(occluder.box);
     for (const Vec3& corner : occluder.corners) digits.add(corner);
@@ -225,10 +232,32 @@ class Answers final : public SightOracle::Questions {
       for (const Plane& plane : from) to.push_back({point(plane.normal), number(plane.offset) * number(1.0F)});
       return to;
     };
-    a_ = boxes(question.a);
-    b_ = boxes(question.b);
-    a_planes_ = planes(question.a_planes);
-    b_planes_ = planes(question.b_planes);
+    tolerance_ = number(question.tolerance);
+    const auto patches = [&](const std::vector<Box>& from, const std::vector<Plane>& with_planes,
+                             const std::vector<std::vector<Vec3>>& with_corners) {
+      const std::vector<AnyBox> all = boxes(from);
+      const std::vector<AnyPlane> all_planes = planes(with_planes);
+      std::vector<Patch> to(all.size());
+      for (std::size_t i = 0; i != all.size(); ++i) {
+        to[i].box = all[i];
+        to[i].has_corners = !with_corners.empty();
+        if (to[i].has_corners) {
+          to[i].corners = points(with_corners[i]);
+          to[i].planes = planes_of(to[i].corners);
+        } else {
+          for (unsigned c = 0; c != 8; ++c) to[i].corners.push_back(all[i].corner(c));
+          if (!all_planes.empty()) to[i].planes = {all_planes[i]};
+        }
+        to[i].is_box = true;
+        for (unsigned c = 0; c != 8; ++c) {
+          const std::vector<Point>& own = to[i].corners;
+          to[i].is_box = to[i].is_box && std::find(own.begin(), own.end(), all[i].corner(c)) != own.end();
+        }
+      }
+      return to;
+    };
+    a_ = patches(question.a, question.a_planes, question.a_corners);
+    b_ = patches(question.b, question.b_planes, question.b_corners);
     solids_ = boxes(question.solids);
     for (const std::vector<Vec3>& polygon : question.polygons) polygons_.push_back(points(polygon));
     for (const SightOccluder& occluder : question.occluders) {
@@ -241,18 +270,23 @@ class Answers final : public SightOracle::Questions {
 
   [[nodiscard]] SightTruth truth(std::size_t i, std::size_t j) const override {
     SightTruth truth;
-    const AnyPlane* const a_plane = a_planes_.empty() ? nullptr : &a_planes_[i];
-    const AnyPlane* const b_plane = b_planes_.empty() ? nullptr : &b_planes_[j];
-    truth.is_facing_away = (a_plane != nullptr && is_box_behind(*a_plane, b_[j])) ||
-                           (b_plane != nullptr && is_box_behind(*b_plane, a_[i]));
+    const Patch& a = a_[i];
+    const Patch& b = b_[j];
+    truth.is_facing_away = are_behind(a, b.corners) || are_behind(b, a.corners);
     for (std::size_t k = 0; k != solids_.size() && !truth.is_occluded; ++k) truth.is_occluded = blocks(i, j, k);
     for (std::size_t k = 0; k != polygons_.size() && !truth.is_occluded; ++k) {
-      truth.is_occluded = polygon_blocks(a_[i], b_[j], polygons_[k]);
+      truth.is_occluded = polygon_blocks(a.box, b.box, polygons_[k]);
     }
+    bool has_tangents = false;
+    std::vector<AnyPlane> planes;
     for (std::size_t k = 0; k != occluder_boxes_.size(); ++k) {
       if (!reaches(i, j, k)) continue;
-      if (a_plane != nullptr && are_behind(*a_plane, occluder_corners_[k])) continue;
-      if (b_plane != nullptr && are_behind(*b_plane, occluder_corners_[k])) continue;
+      if (are_behind(a, occluder_corners_[k]) || are_behind(b, occluder_corners_[k])) continue;
+      if (!(a.is_box && b.is_box)) {
+        if (!has_tangents) planes = tangents(a, b);
+        has_tangents = true;
+        if (are_separate(planes, occluder_corners_[k])) continue;
+      }
       truth.candidates.push_back(static_cast<std::uint32_t>(k));
     }
     return truth;
@@ -261,8 +295,8 @@ class Answers final : public SightOracle::Questions {
   /// Of each t, the relative interiors of the box between both, or they themselves, must meet: so those of the shaft
   /// do. The relative interior of a convex hull is that of combinations with positive weights.
   [[nodiscard]] bool reaches(std::size_t i, std::size_t j, std::size_t which) const override {
-    const AnyBox& a = a_[i];
-    const AnyBox& b = b_[j];
+    const AnyBox& a = a_[i].box;
+    const AnyBox& b = b_[j].box;
     const AnyBox& bound = occluder_boxes_[which];
     Times<Number> times(contact_ == Contact::open);
     for (std::size_t k = 0; k != 3; ++k) {
@@ -278,14 +312,13 @@ class Answers final : public SightOracle::Questions {
 
   [[nodiscard]] bool blocks(std::size_t i, std::size_t j, std::size_t k) const override {
     const AnyBox& solid = solids_[k];
-    if (!solids_around_ends_ && (holds_part_of(solid, a_[i]) || holds_part_of(solid, b_[j]))) return false;
+    if (!solids_around_ends_ && (holds_part_of(solid, a_[i].box) || holds_part_of(solid, b_[j].box))) return false;
     const bool is_open = !solid.is_flat(0) && !solid.is_flat(1) && !solid.is_flat(2);
-    return all_segments(a_[i], b_[j], is_open, [&](const auto& p, const auto& q) { return passes_box(p, q, solid); });
+    return all_segments(a_[i].box, b_[j].box, is_open,
+                        [&](const auto& p, const auto& q) { return passes_box(p, q, solid); });
   }
 
-  [[nodiscard]] bool is_behind(std::size_t i, std::size_t j) const override {
-    return is_box_behind(a_planes_[i], b_[j]);
-  }
+  [[nodiscard]] bool is_behind(std::size_t i, std::size_t j) const override { return are_behind(a_[i], b_[j].corners); }
 
  private:
   using Point = PointOf<Number>;
@@ -295,17 +328,100 @@ class Answers final : public SightOracle::Questions {
     Number offset;
   };
 
-  [[nodiscard]] static bool is_point_behind(const AnyPlane& plane, const Point& p) {
-    return plane.normal[0] * p[0] + plane.normal[1] * p[1] + plane.normal[2] * p[2] <= plane.offset;
-  }
-  [[nodiscard]] static bool are_behind(const AnyPlane& plane, const std::vector<Point>& points) {
-    return std::all_of(points.begin(), points.end(), [&](const Point& p) { return is_point_behind(plane, p); });
-  }
-  [[nodiscard]] static bool is_box_behind(const AnyPlane& plane, const AnyBox& box) {
-    for (unsigned c = 0; c != 8; ++c) {
-      if (!is_point_behind(plane, box.corner(c))) return false;
+  struct Patch {
+    AnyBox box;
+    std::vector<Point> corners;  ///< those of the box if it has no others
+    std::vector<AnyPlane> planes;
+    bool has_corners = false;
+    bool is_box = false;  ///< whether it is the box around it
+  };
+
+  /// The planes of the triangles that the first corner forms with edges, unless they have no area.
+  [[nodiscard]] static std::vector<AnyPlane> planes_of(const std::vector<Point>& corners) {
+    std::vector<AnyPlane> planes;
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+      const Point u = minus(corners[i - 1], corners[0]);
+      const Point v = minus(corners[i], corners[0]);
+      const Point n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+      if (n[0] == 0 && n[1] == 0 && n[2] == 0) continue;
+      planes.push_back({n, n[0] * corners[0][0] + n[1] * corners[0][1] + n[2] * corners[0][2]});
     }
-    return true;
+    return planes;
+  }
+
+  /// How high above a plane the lowest point is whose coordinates differ from those of p by the tolerance at most.
+  [[nodiscard]] Number lowest_height(const AnyPlane& plane, const Point& p) const {
+    Number lowest = dot(plane.normal, p) - plane.offset;
+    for (unsigned c = 0; c != 8; ++c) {
+      Point moved;
+      for (unsigned k = 0; k != 3; ++k)
+        moved[k] = (c >> k & 1U) != 0 ? Number(p[k] + tolerance_) : Number(p[k] - tolerance_);
+      const Number height = dot(plane.normal, moved) - plane.offset;
+      if (height < lowest) lowest = height;
+    }
+    return lowest;
+  }
+  [[nodiscard]] bool are_behind(const Patch& patch, const std::vector<Point>& points) const {
+    return !patch.planes.empty() && std::all_of(points.begin(), points.end(), [&](const Point& p) {
+      return std::all_of(patch.planes.begin(), patch.planes.end(),
+                         [&](const AnyPlane& plane) { return lowest_height(plane, p) <= 0; });
+    });
+  }
+
+  /// The planes through an edge of one patch and a corner of the other that have no corner of either behind them, and
+  /// one in front: n·x ≥ offset for all corners.
+  [[nodiscard]] static std::vector<AnyPlane> tangents(const Patch& a, const Patch& b) {
+    std::vector<AnyPlane> planes;
+    for (const auto& [one, other] : {std::pair{&a, &b}, std::pair{&b, &a}}) {
+      for (const auto& [p, q] : edges_of(*one)) {
+        for (const Point& r : other->corners) {
+          for (const AnyPlane& plane : planes_of({p, q, r})) {
+            bool is_in_front = false;
+            bool is_behind = false;
+            for (const Patch* patch : {&a, &b}) {
+              for (const Point& corner : patch->corners) {
+                const Number height = dot(plane.normal, corner) - plane.offset;
+                is_in_front = is_in_front || height > 0;
+                is_behind = is_behind || height < 0;
+              }
+            }
+            if (is_in_front == is_behind) continue;
+            if (is_in_front) {
+              planes.push_back(plane);
+            } else {
+              const Point& n = plane.normal;
+              planes.push_back({{Number(-n[0]), Number(-n[1]), Number(-n[2])}, Number(-plane.offset)});
+            }
+          }
+        }
+      }
+    }
+    return planes;
+  }
+  /// Whether all points, or some that differ by the tolerance, are behind one of the planes; with open contact, on it
+  /// or behind it.
+  [[nodiscard]] bool are_separate(const std::vector<AnyPlane>& planes, const std::vector<Point>& points) const {
+    return std::any_of(planes.begin(), planes.end(), [&](const AnyPlane& plane) {
+      return std::all_of(points.begin(), points.end(), [&](const Point& x) {
+        const Number height = lowest_height(plane, x);
+        return contact_ == Contact::open ? height <= 0 : height < 0;
+      });
+    });
+  }
+  [[nodiscard]] static std::vector<std::pair<Point, Point>> edges_of(const Patch& patch) {
+    std::vector<std::pair<Point, Point>> edges;
+    if (patch.has_corners) {
+      for (std::size_t i = 0; i != patch.corners.size(); ++i) {
+        edges.emplace_back(patch.corners[i], patch.corners[(i + 1) % patch.corners.size()]);
+      }
+    } else {
+      for (unsigned c = 0; c != 8; ++c) {
+        for (const unsigned k : {1U, 2U, 4U}) {
+          if ((c & k) == 0) edges.emplace_back(patch.corners[c], patch.corners[c | k]);
+        }
+      }
+    }
+    return edges;
   }
 
   /// Whether an end reaches into the interior of a solid; if that is flat, whether it touches it.
@@ -350,6 +466,7 @@ class Answers final : public SightOracle::Questions {
     return times.are_there();
   }
 
+  [[nodiscard]] static Number dot(const Point& p, const Point& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
   template <class Coordinate>
   [[nodiscard]] static PointOf<Coordinate> minus(const PointOf<Coordinate>& p, const PointOf<Coordinate>& q) {
     return {Coordinate(p[0] - q[0]), Coordinate(p[1] - q[1]), Coordinate(p[2] - q[2])};
@@ -403,10 +520,9 @@ class Answers final : public SightOracle::Questions {
 
   Contact contact_;
   bool solids_around_ends_;
-  std::vector<AnyBox> a_;
-  std::vector<AnyBox> b_;
-  std::vector<AnyPlane> a_planes_;
-  std::vector<AnyPlane> b_planes_;
+  Number tolerance_;
+  std::vector<Patch> a_;
+  std::vector<Patch> b_;
   std::vector<AnyBox> solids_;
   std::vector<std::vector<Point>> polygons_;
   std::vector<AnyBox> occluder_boxes_;

@@ -22,17 +22,21 @@ struct SightOccluder {
   std::vector<Vec3> corners{};  ///< none if it is the box
 };
 
-/// What is asked about. `a_planes` and `b_planes` are empty or as many as patches.
+/// What is asked about. `a_planes` and `b_planes` are empty or as many as patches. So are `a_corners` and `b_corners`;
+/// a patch with corners has its plane from them, and its box is the one around them.
 struct SightQuestion {
   std::vector<Box> a;
   std::vector<Plane> a_planes;
   std::vector<Box> b;
   std::vector<Plane> b_planes;
+  std::vector<std::vector<Vec3>> a_corners{};
+  std::vector<std::vector<Vec3>> b_corners{};
   std::vector<SightOccluder> occluders;
   std::vector<Box> solids;                  ///< those that make pairs occluded
   std::vector<std::vector<Vec3>> polygons;  ///< likewise: convex, all corners in one plane
   Contact contact = Contact::open;
   bool solids_around_ends = true;
+  float tolerance = 0;
 };
 
 /// All that is true of a pair.

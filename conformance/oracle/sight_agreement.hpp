@@ -29,6 +29,7 @@ struct SightCase {
       : scene(std::move(of)), a(first_set(scene)), b(second_set(scene)), occluders(occluders_of(scene)) {
     options.contact = scene.contact;
     options.solids_around_ends = scene.solids_around_ends;
+    options.tolerance = scene.tolerance;
   }
 
   [[nodiscard]] bool has_pair(std::size_t i, std::size_t j) const { return !scene.is_of_one_set || i != j; }

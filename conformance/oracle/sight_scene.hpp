@@ -44,6 +44,8 @@ struct SightScene {
   std::vector<Plane> a_planes;
   std::vector<Box> b;  ///< none if it is of one set
   std::vector<Plane> b_planes;
+  std::vector<std::vector<Vec3>> a_corners{};  ///< if there are any, patches are polygons, and boxes are around them
+  std::vector<std::vector<Vec3>> b_corners{};
   std::vector<Box> boxes;
   std::vector<Box> solids;
   std::vector<Vec3> hull_corners;
@@ -54,19 +56,31 @@ struct SightScene {
   std::vector<std::size_t> first_triangle;  ///< none if the library makes the groups
   Contact contact = Contact::open;
   bool solids_around_ends = true;
+  float tolerance = 0;
 };
+
+/// The scene with polygons in place of the patches of one set or of both.
+SightScene with_corners(SightScene scene, std::uint64_t seed);
 
 /// A scene of up to `most_patches` in each set.
 SightScene random_sight_scene(SightScenery scenery, std::uint64_t seed, unsigned most_patches);
 
 // What follows calls the library, in headers, as the oracle itself does not link it.
 
-inline PatchSet first_set(const SightScene& scene) {
-  return PatchSet(std::span<const Box>(scene.a), std::span<const Plane>(scene.a_planes));
+inline PatchSet patch_set(const std::vector<Box>& boxes, const std::vector<Plane>& planes,
+                          const std::vector<std::vector<Vec3>>& polygons) {
+  if (polygons.empty()) return PatchSet(std::span<const Box>(boxes), std::span<const Plane>(planes));
+  std::vector<Vec3> corners;
+  std::vector<std::size_t> first{0};
+  for (const std::vector<Vec3>& polygon : polygons) {
+    corners.insert(corners.end(), polygon.begin(), polygon.end());
+    first.push_back(corners.size());
+  }
+  return PatchSet(std::span<const Vec3>(corners), std::span<const std::size_t>(first));
 }
+inline PatchSet first_set(const SightScene& scene) { return patch_set(scene.a, scene.a_planes, scene.a_corners); }
 inline PatchSet second_set(const SightScene& scene) {
-  return scene.is_of_one_set ? first_set(scene)
-                             : PatchSet(std::span<const Box>(scene.b), std::span<const Plane>(scene.b_planes));
+  return scene.is_of_one_set ? first_set(scene) : patch_set(scene.b, scene.b_planes, scene.b_corners);
 }
 
 /// In the order boxes, solids, hulls, polygons, triangles.
@@ -89,6 +103,9 @@ inline oracle::SightQuestion question_of(const SightScene& scene, const Occluder
   question.a_planes = scene.a_planes;
   question.b = scene.is_of_one_set ? scene.a : scene.b;
   question.b_planes = scene.is_of_one_set ? scene.a_planes : scene.b_planes;
+  question.a_corners = scene.a_corners;
+  question.b_corners = scene.is_of_one_set ? scene.a_corners : scene.b_corners;
+  question.tolerance = scene.tolerance;
   question.contact = scene.contact;
   question.solids_around_ends = scene.solids_around_ends;
   const auto around = [](const std::vector<Vec3>& corners) {

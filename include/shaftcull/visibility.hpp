@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// Visibility: which pairs of patches see each other for certain, which cannot, and which need a closer look.
 ///
-/// A *patch* is the box of a facet of a wall, of a point, or of a cell of a receiving volume. A patch may have a plane,
-/// as a facet does. *Occluders* stand between patches. Each pair gets one of four answers:
+/// A *patch* is a convex polygon by its corners, as a facet of a wall is, or a box: that of a point, or of a cell of a
+/// receiving volume. A polygon faces one side of its plane; a box may have a plane. *Occluders* stand between patches.
+/// Each pair gets one of four answers, in which "box" means the box around a polygon, too:
 ///
-/// * `facing_away`: one box lies wholly on or behind the plane of the other patch.
+/// * `facing_away`: all corners of one patch lie on or behind the plane of the other patch.
 /// * `occluded`: one solid hides each box from the other. Every segment between the relative interiors of the boxes
 ///   passes through its interior. So a wall that ends flush with floor and ceiling hides what is behind it. Segments
 ///   that touch a solid only at the rim of both patches have measure zero: no light passes along them (occluded.hpp).
@@ -24,7 +25,13 @@
 /// and if neither plane has all corners of the occluder on it or behind it. The corners of a box, solid or not, are its
 /// eight corners. The corners of a hull or a polygon are the given points, not the corners of the box around it. The
 /// corners of triangles are their vertices. A group of neighbouring triangles is one occluder: it lies behind a plane
-/// if all vertices of the group do.
+/// if all vertices of the group do. A patch with corners that are slightly out of plane has several planes; whatever
+/// lies behind it lies behind all of them. "Behind" is up to VisibilityOptions::tolerance.
+///
+/// If a patch of the pair is not the box around it, the shaft between the patches is narrower than the one between
+/// their boxes. Then an occluder does not reach into it either if all corners of the occluder lie on or behind a plane
+/// (with closed contact: behind it) that goes through an edge of one patch and a corner of the other, and that has no
+/// corner of the two behind it and one in front. A turned wall is told apart from its box in this way.
 ///
 /// Patches are stored in a tree, and groups of patches are compared first: an answer for two groups holds for all pairs
 /// in them. So time grows with the number of undecided pairs, and memory stays below a limit for any number of pairs.
@@ -65,7 +72,7 @@ enum class Sight : std::uint8_t {
   undecided,    ///< none of the others: occluders reach between the patches
   clear,        ///< no occluder reaches between the patches
   occluded,     ///< one solid hides each patch from the other
-  facing_away,  ///< one patch is on or behind the plane of the other
+  facing_away,  ///< one patch is on or behind the plane of the other, within the tolerance
 };
 
 /// Returns the name, as in files and in Python: "undecided", "clear", "occluded", "facing_away".
@@ -84,6 +91,14 @@ class SHAFTCULL_EXPORT PatchSet {
   /// bytes per patch.
   explicit PatchSet(const BoxView& boxes, std::span<const Plane> planes = {});
   explicit PatchSet(std::span<const Box> boxes, std::span<const Plane> planes = {});
+  /// Builds a set of convex polygons, by their corners. Patch i has corners[first_corner[i] … first_corner[i + 1]), 3
+  /// to 8 of them, in order around it. It faces the side from which they run counter-clockwise. A patch whose corners
+  /// are slightly out of plane has the planes of the triangles that its first corner forms with its other edges; a
+  /// patch without area has no plane. Convexity is not checked. Throws BadBound, with the position, for a corner that
+  /// is not finite, and InvalidArgument for another number of corners, for positions that do not ascend from 0 to
+  /// corners.size(), and for 2³² − 1 patches or more. O(n log n); allocates about 150 bytes per patch of 4 corners, and
+  /// 100 if every patch is the box around it.
+  explicit PatchSet(std::span<const Vec3> corners, std::span<const std::size_t> first_corner);
 
   /// The number of patches.
   [[nodiscard]] std::size_t size() const noexcept;
@@ -228,6 +243,14 @@ struct VisibilityOptions {
   /// Whether a solid may make a pair `occluded` although a box of the pair reaches into it (for a flat solid: touches
   /// it). Rays that start inside a solid do not meet its front. Set it to false where answers must agree with rays.
   bool solids_around_ends = true;
+  /// How far in front of a plane a point may be and still count as behind it, because coordinates are rounded: it does
+  /// if moving each of its coordinates by `tolerance` or less brings it there. In the units of the scene; finite, 0 or
+  /// more. It holds for planes of patches, and for those that part occluders from the shaft between two polygons.
+  ///
+  /// Corners of one wall that is not axis-parallel lie in one plane only up to rounding. If corners are off by r, the
+  /// plane of a patch of width w is off by about 2 r d / w at a distance d, so a tolerance of a few times that makes
+  /// patches of one wall face away from each other. An axis-parallel wall needs none.
+  float tolerance = 0;
   /// Whether undecided pairs come with candidates.
   bool candidates = true;
   /// Limit in bytes for answers under way and for pairs of groups that wait for answers. Not included: the sets, the

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "exact/pair.hpp"
 
-#include "exact/expansion.hpp"
 #include "exact/predicates.hpp"
 
 namespace shaftcull::kernel {
@@ -25,18 +24,6 @@ bool is_outside_between(const float (&a)[6], const float (&b)[6], Contact contac
   ShaftData shaft;
   describe_pair(a, b, contact, shaft);
   return box_outside(shaft, bound);
-}
-
-bool is_point_behind(const float (&normal)[3], float offset, const float (&point)[3]) noexcept {
-  Expansion<7> sum(-double{offset});
-  for (unsigned k = 0; k != 3; ++k) sum.grow(double{normal[k]} * point[k]);  // two 24-bit factors: exact in a double
-  return sum.sign() <= 0;
-}
-
-bool is_box_behind(const float (&normal)[3], float offset, const float (&box)[6]) noexcept {
-  float farthest[3];
-  for (unsigned k = 0; k != 3; ++k) farthest[k] = normal[k] > 0 ? box[k + 3] : box[k];
-  return is_point_behind(normal, offset, farthest);
 }
 
 }  // namespace shaftcull::kernel

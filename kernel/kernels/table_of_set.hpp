@@ -109,6 +109,7 @@ inline constexpr Kernels kernels_for = {
                  .may_block = may_block_siblings<L>,
                  .behind_plane = behind_plane<L>,
                  .behind_planes = behind_planes<L>,
+                 .corners_behind_plane = corners_behind_plane<L>,
                  .points_behind_planes = points_behind_planes<L>,
                  .behind_groups = behind_groups<L>,
                  .behind_group = behind_group<L>},

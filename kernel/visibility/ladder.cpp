@@ -118,8 +118,7 @@ std::uint64_t Ladder::compare_with_group(Level& level, const Side& lanes, const 
       }
     });
   };
-  group.copy_box(0, fixed_);
-  answer(lanes.with_behind(fixed_, left, kernels) | lanes.behind_plane_of(group, 0, kernels), Sight::facing_away);
+  answer(facing_away(lanes, group, 0, left), Sight::facing_away);
   if (left == 0) return 0;
   const SightLists& lists = level.lists;
   const OccluderData& occluders = job_.occluders;

@@ -12,6 +12,7 @@
 #include <memory>
 #include <vector>
 
+#include "exact/tangent_planes.hpp"
 #include "kernels/kernel_table.hpp"
 #include "shaftcull/function_ref.hpp"
 #include "shaftcull/visibility.hpp"
@@ -68,6 +69,7 @@ class Ladder {
   void leave_out_far(std::vector<std::uint32_t>& list, std::size_t all, const BoxClumps& clumps, std::uint64_t asked);
   std::uint64_t compare_with_group(Level& level, const Side& lanes, const Side& group, bool lanes_are_rows,
                                    std::uint64_t rows);
+  [[nodiscard]] std::uint64_t facing_away(const Side& lanes, const Side& one, unsigned lane, std::uint64_t asked) const;
   std::uint64_t drop_behind(const Level& level, const Side& lanes, std::vector<std::uint64_t>& kept);
   void go_into_itself(std::size_t depth, const Side& rows, unsigned row);
   void answer_row(std::size_t depth, const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes);
@@ -76,6 +78,8 @@ class Ladder {
   void select(const std::vector<std::uint32_t>& list, const std::vector<std::uint64_t>& of_rows,
               const std::vector<std::uint64_t>& of_columns, unsigned row, std::uint64_t lanes, bool packed,
               Selection& selection) const;
+  [[nodiscard]] std::uint64_t drop_separate(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes,
+                                            Selection& candidates);
   void write_undecided(const Level& here, const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes);
   void form(const Side& fixed, unsigned lane, const Side& lanes, std::uint64_t asked);
   void form(const Side& fixed, unsigned lane, const float* const* boxes, const float* const* inward, unsigned count,
@@ -100,6 +104,7 @@ class Ladder {
   float fixed_[6] = {};         // the box that all siblings_ begin at
   float fixed_inward_[6] = {};  // which of its faces are left out
   float exchanged_[6] = {};     // likewise of form_exchanged()
+  TangentPlanes tangents_;
   std::vector<PointsBehind> points_behind_;
   std::vector<std::uint64_t> clump_lanes_;  // of each clump, the lanes that come near it
   std::vector<std::uint64_t> near_;         // a bit an occluder, or a solid: whether one comes near its clump

@@ -32,8 +32,17 @@ struct Ladder::Side {
       planes.least_normal[k] = streams.stream(6 + k) + from;
       planes.largest_normal[k] = streams.stream(9 + k) + from;
     }
-    planes.least_offset = streams.stream(12) + from;
-    planes.error = (patches ? of.patch_error : of.group_error).data() + from;
+    const PlaneLimits& limits = patches ? of.patches : of.groups;
+    planes.least_offset = limits.offset.data() + from;
+    planes.error = limits.error.data() + from;
+    if (!patches) return;
+    for (unsigned k = 0; k != 3; ++k) planes.exact.normal[k] = planes.least_normal[k];
+    planes.exact.offset = streams.stream(12) + from;
+    planes.exact.tolerance = of.tolerance;
+    if (!of.tree.has_corners()) return;
+    planes.exact.corner = of.tree.corner_streams().streams();
+    planes.exact.corners = of.tree.corner_streams().corners();
+    planes.exact.first = from;
   }
   static Side alone(const SightSet& set, std::uint32_t group) { return {set, group, 1, false}; }
   static Side children(const SightSet& set, std::uint32_t group) {
@@ -42,6 +51,11 @@ struct Ladder::Side {
   }
 
   [[nodiscard]] bool has_planes() const noexcept { return planes.error != nullptr; }
+  [[nodiscard]] bool has_corners() const noexcept { return set.tree.has_corners(); }
+  /// Whether a patch is the box around it.
+  [[nodiscard]] bool is_box(unsigned lane) const noexcept { return set.tree.is_box(first + lane); }
+  /// The corners of a patch.
+  [[nodiscard]] PatchCorners corners(unsigned lane) const noexcept { return set.tree.corners_of(first + lane); }
   [[nodiscard]] PlaneRow plane(unsigned lane) const noexcept {
     PlaneRow row{};
     for (unsigned k = 0; k != 3; ++k) {
@@ -50,6 +64,8 @@ struct Ladder::Side {
     }
     row.least_offset = planes.least_offset[lane];
     row.error = planes.error[lane];
+    row.exact = planes.exact;
+    row.lane = lane;
     return row;
   }
   /// The box of a lane, six faces.
@@ -68,17 +84,25 @@ struct Ladder::Side {
     const std::uint32_t begin = groups[first + lane].first;
     return {begin, last.first + last.count - begin};
   }
-  /// Lanes whose patches lie on or behind all planes of a lane of another side.
+  /// Lanes whose boxes lie on or behind all planes of a lane of another side. Of patches with corners, it may say no.
   [[nodiscard]] std::uint64_t behind_plane_of(const Side& other, unsigned lane, const SiblingKernels& kernels) const {
     if (!other.has_planes()) return 0;
-    return (other.are_patches ? kernels.behind_plane : kernels.behind_group)(other.plane(lane), box, count);
+    return (other.decides_by_box() ? kernels.behind_plane : kernels.behind_group)(other.plane(lane), box, count);
   }
-  /// Lanes on or behind all of whose planes a box lies. Those that are not asked may be anything.
+  /// Lanes on or behind all of whose planes a box lies, likewise. Those that are not asked may be anything.
   [[nodiscard]] std::uint64_t with_behind(const float* faces, std::uint64_t asked,
                                           const SiblingKernels& kernels) const {
     if (!has_planes()) return 0;
-    return (are_patches ? kernels.behind_planes : kernels.behind_groups)(planes, count, faces, asked);
+    return (decides_by_box() ? kernels.behind_planes : kernels.behind_groups)(planes, count, faces, asked);
   }
+  [[nodiscard]] FacingPlanes facing_planes_of(unsigned lane) const noexcept;
+  [[nodiscard]] bool is_behind(unsigned lane, const Side& other, unsigned other_lane) const noexcept;
+  [[nodiscard]] std::uint64_t corners_behind(const Side& other, unsigned lane, std::uint64_t asked,
+                                             const SiblingKernels& kernels) const noexcept;
+
+ private:
+  [[nodiscard]] double farthest(unsigned lane, const Direction& direction) const noexcept;
+  [[nodiscard]] bool decides_by_box() const noexcept { return are_patches && !has_corners(); }
 };
 
 /// Of a row of pairs: the occluders of a list that it may have to do with, with which of its lanes, and what is found.

@@ -45,9 +45,7 @@ void Ladder::answer_row(std::size_t depth, const Side& rows, unsigned row, const
   const SiblingKernels& kernels = job_.kernels;
   const OccluderData& occluders = job_.occluders;
   Level& here = level(depth);
-  rows.copy_box(row, fixed_);
-  const std::uint64_t away =
-      lanes & (columns.with_behind(fixed_, lanes, kernels) | columns.behind_plane_of(rows, row, kernels));
+  const std::uint64_t away = facing_away(columns, rows, row, lanes);
   decide(rows, row, columns, away, Sight::facing_away);
   lanes &= ~away;
   if (lanes == 0) return;
@@ -127,7 +125,8 @@ void Ladder::answer_patches(Level& here, const Side& rows, unsigned row, const S
   const OccluderData& occluders = job_.occluders;
   // Side by side, fewer vectors hold those that are left.
   const auto count = static_cast<unsigned>(std::popcount(lanes));
-  const bool packs = kernels.pack != nullptr && count + most_siblings / 4 <= columns.count;
+  const bool have_corners = rows.has_corners() || columns.has_corners();
+  const bool packs = !have_corners && kernels.pack != nullptr && count + most_siblings / 4 <= columns.count;
   const auto spread = [&](std::uint64_t bits) { return packs ? kernels.spread(bits, lanes) : bits; };
   std::uint64_t left = packs ? first_lanes(count) : lanes;
   if (packs) {
@@ -146,7 +145,7 @@ void Ladder::answer_patches(Level& here, const Side& rows, unsigned row, const S
   Selection& candidates = here.candidates_of_row;
   select(here.lists.candidates, here.row_candidates, here.column_candidates, row, lanes, packs, candidates);
   std::uint64_t undecided = 0;
-  if (job_.wants_candidates) {
+  if (job_.wants_candidates || have_corners) {
     undecided = kernels.keep(siblings_, occluders.boxes.data(), candidates.list.data(), candidates.count,
                              candidates.may.data(), left, candidates.kept.data());
     for (std::size_t i = 0; packs && i != candidates.count; ++i) {
@@ -156,6 +155,7 @@ void Ladder::answer_patches(Level& here, const Side& rows, unsigned row, const S
     undecided = kernels.keep_any(siblings_, occluders.boxes.data(), candidates.list.data(), candidates.count,
                                  candidates.may.data(), left);
   }
+  if (have_corners) undecided = drop_separate(rows, row, columns, undecided, candidates);
   decide(rows, row, columns, spread(left & ~undecided), Sight::clear);
   if (undecided != 0) write_undecided(here, rows, row, columns, spread(undecided));
 }

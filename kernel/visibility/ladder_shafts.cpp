@@ -11,9 +11,6 @@ namespace {
 
 using BetweenHulls = bool(std::span<const Vec3>, std::span<const Vec3>, std::span<const Vec3>) noexcept;
 
-/// Occluders with more points are looked up rather than tested again.
-constexpr std::size_t few_points = 64;
-
 }  // namespace
 
 /// Forms shafts from a box of one side to all of another.
@@ -43,29 +40,6 @@ void Ladder::form_exchanged(const Side& fixed, unsigned lane, const Side& lanes,
     other[f] = lanes.box[lanes.are_patches ? f : (f + 3) % 6];
   }
   job_.kernels.form(exchanged_, other, lanes.count, asked, siblings_);
-}
-
-/// Lanes of `asked` on or behind all of whose planes an occluder lies.
-std::uint64_t Ladder::behind(const Side& lanes, std::uint32_t occluder, std::uint64_t asked) {
-  if (!lanes.has_planes() || asked == 0) return 0;
-  std::uint64_t behind = asked & lanes.with_behind(job_.occluders.boxes[occluder].face, asked, job_.kernels);
-  const std::span<const Vec3> points = job_.occluders.points_of(occluder);
-  if (!lanes.are_patches || points.empty() || behind == asked) return behind;
-  // The box may stick out where the points do not.
-  const auto points_behind = [&](std::uint64_t of) {
-    return job_.kernels.points_behind_planes(lanes.planes, lanes.count, points.data(), points.size(), of);
-  };
-  if (points.size() <= few_points) return behind | points_behind(asked & ~behind);
-  // Many points, and the same groups again and again: what was found is kept.
-  constexpr std::size_t kept = std::size_t{1} << 16;
-  if (points_behind_.empty()) points_behind_.resize(kept);
-  PointsBehind& known = points_behind_[(lanes.first * 0x9e3779b1U ^ occluder * 0x85ebca6bU) >> 16U];
-  if (known.tree != &lanes.set.tree || known.first != lanes.first || known.occluder != occluder) {
-    const std::uint64_t all = first_lanes(lanes.count);
-    const std::uint64_t of_box = lanes.with_behind(job_.occluders.boxes[occluder].face, all, job_.kernels);
-    known = {&lanes.set.tree, lanes.first, occluder, of_box | points_behind(all & ~of_box)};
-  }
-  return asked & (behind | known.lanes);
 }
 
 /// Siblings of `asked` that a polygon of a list blocks; may_block[i], unless null, are those that polygon i may.

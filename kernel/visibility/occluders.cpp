@@ -12,13 +12,11 @@
 #include "support/arguments.hpp"
 #include "support/fail.hpp"
 #include "support/float_environment.hpp"
-#include "support/text.hpp"
+#include "visibility/corner_lists.hpp"
 #include "visibility/triangle_groups.hpp"
 
 namespace shaftcull {
 namespace {
-
-constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();
 
 /// Grows by points.
 struct PointBox {
@@ -34,10 +32,6 @@ struct PointBox {
     }
   }
 };
-
-bool is_finite(const Vec3& point) noexcept {
-  return std::all_of(point.begin(), point.end(), [](float x) { return std::isfinite(x); });
-}
 
 /// What is added; nothing of it stays unless it is kept at the end.
 class Addition {
@@ -125,39 +119,11 @@ std::vector<Box> usable_boxes(std::span<const Box> boxes, const char* noun) {
   return {boxes.begin(), boxes.end()};
 }
 
-/// The parts of a list, of which part i begins at first[i] and ends where the next one begins. Throws unless they
-/// ascend from 0 to `size`.
-void require_parts(std::span<const std::size_t> first, std::size_t size, const char* name, const char* noun) {
-  if (first.empty() && size == 0) return;
-  if (first.empty() || first.front() != 0 || first.back() != size) {
-    kernel::fail(InvalidArgument(std::string(name) + " must begin with 0 and end with the number of " + noun + ", " +
-                                 std::to_string(size)));
-  }
-  for (std::size_t i = 1; i < first.size(); ++i) {
-    if (first[i] >= first[i - 1]) continue;
-    kernel::fail(InvalidArgument(std::string(name) + "[" + std::to_string(i) + "] = " + std::to_string(first[i]) +
-                                 " is less than the one before it"));
-  }
-}
-
 /// Adds the corners of part after part, and calls added(corners) after each.
 template <class Added>
 void add_parts(Addition& addition, std::span<const Vec3> corners, std::span<const std::size_t> first, const char* noun,
                std::size_t fewest, std::size_t most, const Added& added) {
-  kernel::require_memory("corners", corners, "corners");
-  kernel::require_memory("first_corner", first, "positions");
-  require_parts(first, corners.size(), "first_corner", "corners");
-  for (std::size_t i = 0; i + 1 < first.size(); ++i) {
-    const std::span<const Vec3> part = corners.subspan(first[i], first[i + 1] - first[i]);
-    if (part.size() < fewest || part.size() > most) {
-      kernel::fail(InvalidArgument(std::string(noun) + " " + std::to_string(i) + " has " +
-                                   kernel::counted(part.size(), "corner") + "; it takes " + std::to_string(fewest) +
-                                   (most < any_number ? " to " + std::to_string(most) : " or more")));
-    }
-    if (!std::all_of(part.begin(), part.end(), is_finite)) {
-      kernel::refuse_bound(noun, i, "has a corner that is not finite");
-    }
-  }
+  kernel::require_corner_lists(corners, first, noun, fewest, most);
   for (std::size_t i = 0; i + 1 < first.size(); ++i) {
     const std::span<const Vec3> part = corners.subspan(first[i], first[i + 1] - first[i]);
     PointBox around;
@@ -307,7 +273,7 @@ std::size_t Occluders::add_solid_hulls(std::span<const Vec3> corners, std::span<
 std::size_t Occluders::add_polygons(std::span<const Vec3> corners, std::span<const std::size_t> first_corner) {
   return kernel::in_float_environment([&] {
     Addition addition(own());
-    add_parts(addition, corners, first_corner, "polygon", 3, any_number,
+    add_parts(addition, corners, first_corner, "polygon", 3, kernel::any_number,
               [&](std::span<const Vec3> /*polygon*/) { addition.add_polygon(); });
     return addition.keep();
   });
@@ -322,7 +288,7 @@ std::size_t Occluders::add_triangles(const TriangleView& triangles, std::span<co
     }
     for (std::size_t i = 0; i != triangles.count; ++i) {
       for (const Vec3& vertex : triangles[i].vertex) {
-        if (!is_finite(vertex)) kernel::refuse_bound("triangle", i, "is not finite");
+        if (!kernel::is_finite(vertex)) kernel::refuse_bound("triangle", i, "is not finite");
       }
     }
     kernel::TriangleGroups found;
@@ -330,7 +296,7 @@ std::size_t Occluders::add_triangles(const TriangleView& triangles, std::span<co
       found = kernel::triangle_groups(triangles);
       first_triangle = found.first;
     } else {
-      require_parts(first_triangle, triangles.count, "first_triangle", "triangles");
+      kernel::require_parts(first_triangle, triangles.count, "first_triangle", "triangles");
       for (std::size_t i = 0; i + 1 < first_triangle.size(); ++i) {
         if (first_triangle[i] != first_triangle[i + 1]) continue;
         kernel::fail(InvalidArgument("group " + std::to_string(i) + " of triangles is empty"));

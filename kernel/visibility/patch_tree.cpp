@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <new>
 
 #include "simd/baseline_four_floats.hpp"
@@ -58,6 +59,17 @@ float best_of(const float* from, std::size_t count, const Better& better) noexce
   return of[0];
 }
 
+/// A plane near those of corners; its normal is 0 if they have none.
+Plane plane_near(std::span<const Vec3> corners) noexcept {
+  const PatchNormals normals(corners);
+  if (normals.all().empty()) return {{0, 0, 0}, 0};
+  const auto& n = normals.all().front();
+  const double offset = n[0] * corners[0][0] + n[1] * corners[0][1] + n[2] * corners[0][2];
+  const double largest = double{std::numeric_limits<float>::max()};
+  return {{static_cast<float>(n[0]), static_cast<float>(n[1]), static_cast<float>(n[2])},
+          static_cast<float>(std::clamp(offset, -largest, largest))};
+}
+
 }  // namespace
 
 void PatchStreams::Free::operator()(float* memory) const noexcept { ::operator delete[](memory, std::align_val_t{64}); }
@@ -67,6 +79,96 @@ PatchStreams::PatchStreams(std::size_t count, bool has_planes, bool are_groups)
   const std::size_t rows = !has_planes ? 6 : are_groups ? 13 : 10;
   memory_.reset(static_cast<float*>(::operator new[](rows* stride_ * sizeof(float), std::align_val_t{64})));
   std::fill_n(memory_.get(), rows * stride_, 0.0F);
+}
+
+CornerStreams::CornerStreams(std::size_t patches, unsigned corners) {
+  const std::size_t stride = patches + most_siblings;
+  memory_.resize(3 * corners * stride);
+  for (unsigned s = 0; s != 3 * corners; ++s) streams_.push_back(memory_.data() + s * stride);
+}
+
+void CornerStreams::set(std::size_t patch, std::span<const Vec3> corners) noexcept {
+  for (std::size_t s = 0; s != streams_.size(); ++s) {
+    streams_[s][patch] = corners[std::min(s / 3, corners.size() - 1)][s % 3];
+  }
+}
+
+PatchCorners CornerStreams::of(std::size_t patch) const noexcept {
+  PatchCorners corners;
+  for (std::size_t c = 0; c != streams_.size(); c += 3) {
+    const Vec3 corner{streams_[c][patch], streams_[c + 1][patch], streams_[c + 2][patch]};
+    if (c < 9 || corner != corners.all().back()) corners.add(corner);
+  }
+  return corners;
+}
+
+Box box_around_corners(std::span<const Vec3> corners) noexcept {
+  Box box{corners.front(), corners.front()};
+  for (const Vec3& corner : corners) {
+    for (std::size_t k = 0; k != 3; ++k) {
+      box.lo[k] = std::min(box.lo[k], corner[k]);
+      box.hi[k] = std::max(box.hi[k], corner[k]);
+    }
+  }
+  return box;
+}
+
+PatchCorners corners_of_box(const Box& box) noexcept {
+  PatchCorners corners;
+  for (unsigned c = 0; c != 8; ++c) {
+    Vec3 corner{};
+    bool is_again = false;
+    for (unsigned k = 0; k != 3; ++k) {
+      const bool is_hi = (c >> k & 1U) != 0;
+      corner[k] = is_hi ? box.hi[k] : box.lo[k];
+      is_again = is_again || (is_hi && box.lo[k] == box.hi[k]);
+    }
+    if (!is_again) corners.add(corner);
+  }
+  return corners;
+}
+
+bool are_corners_of_box(std::span<const Vec3> corners, const Box& box) noexcept {
+  const PatchCorners all = corners_of_box(box);
+  return std::all_of(all.all().begin(), all.all().end(), [&](const Vec3& corner) {
+    return std::find(corners.begin(), corners.end(), corner) != corners.end();
+  });
+}
+
+PatchCorners PatchTree::corners_of(std::size_t position) const noexcept {
+  if (has_corners()) return corner_streams_.of(position);
+  Box box{};
+  for (std::size_t k = 0; k != 3; ++k) {
+    box.lo[k] = patch_streams_.stream(k)[position];
+    box.hi[k] = patch_streams_.stream(k + 3)[position];
+  }
+  return corners_of_box(box);
+}
+
+PatchTree::PatchTree(std::span<const Vec3> corners, std::span<const std::size_t> first_corner) {
+  if (first_corner.size() < 2) return;
+  const std::size_t count = first_corner.size() - 1;
+  const auto corners_at = [&](std::size_t i) {
+    return corners.subspan(first_corner[i], first_corner[i + 1] - first_corner[i]);
+  };
+  std::vector<Box> boxes;
+  std::vector<Plane> planes;
+  boxes.reserve(count);
+  planes.reserve(count);
+  std::size_t most = 0;
+  for (std::size_t i = 0; i != count; ++i) {
+    boxes.push_back(box_around_corners(corners_at(i)));
+    planes.push_back(plane_near(corners_at(i)));
+    most = std::max(most, corners_at(i).size());
+  }
+  *this = PatchTree(BoxStream(boxes).view(), planes);
+  corner_streams_ = CornerStreams(count, static_cast<unsigned>(most));
+  is_box_.resize(count);
+  for (std::size_t i = 0; i != count; ++i) {
+    corner_streams_.set(i, corners_at(order_[i]));
+    is_box_[i] = are_corners_of_box(corners_at(order_[i]), boxes[order_[i]]);
+  }
+  turned_groups_ = kernel::turned_groups(*this);
 }
 
 PatchTree::PatchTree(const BoxView& boxes, std::span<const Plane> planes) {

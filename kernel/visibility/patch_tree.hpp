@@ -9,9 +9,11 @@
 #include <span>
 #include <vector>
 
+#include "exact/patch_plane.hpp"
 #include "kernels/siblings/siblings.hpp"
 #include "shaftcull/bounds.hpp"
 #include "shaftcull/streams.hpp"
+#include "visibility/turned_groups.hpp"
 
 namespace shaftcull::kernel {
 
@@ -45,6 +47,37 @@ class PatchStreams {
   bool are_groups_ = false;
 };
 
+/// The corners of a patch.
+class PatchCorners {
+ public:
+  void add(const Vec3& corner) noexcept { at_[count_++] = corner; }
+  [[nodiscard]] std::span<const Vec3> all() const noexcept { return {at_.data(), count_}; }
+
+ private:
+  std::array<Vec3, most_patch_corners> at_;
+  unsigned count_ = 0;
+};
+
+/// Corners of patches in separate streams, padded likewise. Each patch has as many: those with fewer repeat their last
+/// corner.
+class CornerStreams {
+ public:
+  CornerStreams() noexcept = default;
+  CornerStreams(std::size_t patches, unsigned corners);
+
+  /// How many each patch has; 0 if the patches are boxes.
+  [[nodiscard]] unsigned corners() const noexcept { return static_cast<unsigned>(streams_.size() / 3); }
+  /// Stream 3 c + k has coordinate k of corner c.
+  [[nodiscard]] const float* const* streams() const noexcept { return streams_.data(); }
+  void set(std::size_t patch, std::span<const Vec3> corners) noexcept;
+  /// Without those that are repeated.
+  [[nodiscard]] PatchCorners of(std::size_t patch) const noexcept;
+
+ private:
+  std::vector<float> memory_;
+  std::vector<float*> streams_;
+};
+
 /// A group of patches. Its children are groups side by side, or patches.
 struct PatchGroup {
   std::uint32_t first;        ///< its patches, side by side in the order of the tree
@@ -64,6 +97,8 @@ class PatchTree {
   PatchTree() = default;
   /// Boxes are finite with lo ≤ hi, planes finite with normals that are not zero, and there are none or as many.
   PatchTree(const BoxView& boxes, std::span<const Plane> planes);
+  /// Corners are finite, 3 to most_patch_corners of each patch: those of patch i are from first_corner[i] on.
+  PatchTree(std::span<const Vec3> corners, std::span<const std::size_t> first_corner);
 
   [[nodiscard]] std::span<const std::uint32_t> order() const noexcept { return order_; }
   [[nodiscard]] const std::vector<PatchGroup>& groups() const noexcept { return groups_; }
@@ -73,6 +108,15 @@ class PatchTree {
   /// patch lies in it: as OpenBox has it (exact/blocking.hpp). Padded as streams are.
   [[nodiscard]] const float* group_inward(std::size_t f) const noexcept { return group_inward_[f].data(); }
   [[nodiscard]] bool has_planes() const noexcept { return patch_streams_.has_planes(); }
+  /// Whether patches have corners. Then the planes in streams are near those of the corners.
+  [[nodiscard]] bool has_corners() const noexcept { return corner_streams_.corners() != 0; }
+  [[nodiscard]] const CornerStreams& corner_streams() const noexcept { return corner_streams_; }
+  /// Of the patch at a position of the order: its corners, or the different ones of its box.
+  [[nodiscard]] PatchCorners corners_of(std::size_t position) const noexcept;
+  /// Whether a patch is the box around it.
+  [[nodiscard]] bool is_box(std::size_t position) const noexcept { return !has_corners() || is_box_[position]; }
+  /// Of each group, if patches have corners.
+  [[nodiscard]] const std::vector<TurnedGroup>& turned_groups() const noexcept { return turned_groups_; }
   /// The largest magnitude of a coordinate of a box.
   [[nodiscard]] float largest_coordinate() const noexcept { return largest_coordinate_; }
 
@@ -82,7 +126,17 @@ class PatchTree {
   PatchStreams patch_streams_;
   PatchStreams group_streams_;
   std::array<std::vector<float>, 6> group_inward_;
+  CornerStreams corner_streams_;
+  std::vector<bool> is_box_;
+  std::vector<TurnedGroup> turned_groups_;
   float largest_coordinate_ = 0;
 };
+
+/// The corners of a box that differ.
+[[nodiscard]] PatchCorners corners_of_box(const Box& box) noexcept;
+/// The box around corners.
+[[nodiscard]] Box box_around_corners(std::span<const Vec3> corners) noexcept;
+/// Whether corners are those of the box around them, in any order, with or without others.
+[[nodiscard]] bool are_corners_of_box(std::span<const Vec3> corners, const Box& box) noexcept;
 
 }  // namespace shaftcull::kernel

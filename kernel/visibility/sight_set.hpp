@@ -8,14 +8,22 @@
 
 namespace shaftcull::kernel {
 
-/// Patches, and the errors of computed distances from their planes: of each patch's, and of each group's.
+/// For patches, or for groups: offsets of planes with the tolerance in them, and errors of computed distances from
+/// them.
+struct PlaneLimits {
+  std::vector<float> offset;
+  std::vector<float> error;
+};
+
 struct SightSet {
   const PatchTree& tree;
-  std::vector<float> patch_error;
-  std::vector<float> group_error;
+  float tolerance;
+  float coordinate;  ///< the largest magnitude in the job
+  PlaneLimits patches;
+  PlaneLimits groups;
 };
 
 /// The set, for points with coordinates of at most `coordinate`. Any floating-point modes. O(n).
-[[nodiscard]] SightSet sight_set(const PatchTree& tree, float coordinate);
+[[nodiscard]] SightSet sight_set(const PatchTree& tree, float tolerance, float coordinate);
 
 }  // namespace shaftcull::kernel

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "visibility/visibility_arguments.hpp"
 
+#include <cmath>
+
 #include "support/arguments.hpp"
 #include "support/fail.hpp"
 #include "support/text.hpp"
@@ -22,6 +24,9 @@ void require_options(const VisibilityOptions& options) {
   if (options.memory < least_memory) {
     kernel::fail(
         InvalidArgument("memory is " + std::to_string(options.memory) + " bytes; it takes 1 MB (1048576) or more"));
+  }
+  if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance)) {
+    kernel::fail(InvalidArgument("tolerance is " + text(options.tolerance) + "; it is finite and not below 0"));
   }
 }
 

@@ -9,6 +9,7 @@
 #include <iostream>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "instruction_sets.hpp"
@@ -48,13 +49,20 @@ void add_crowd(SightScene& scene, std::uint64_t seed) {
   }
 }
 
+/// What is done to a scene.
+enum class Change { none, crowd, corners };
+
 void expect_right(SightScenery scenery, std::uint64_t seeds, unsigned most_patches, std::uint64_t first_seed = 1,
-                  bool in_crowd = false) {
+                  Change change = Change::none) {
   for (std::uint64_t seed = first_seed; seed != first_seed + seeds; ++seed) {
     SCOPED_TRACE(std::string("random_sight_scene(") + name(scenery) + ", " + std::to_string(seed) + ", " +
-                 std::to_string(most_patches) + ")" + (in_crowd ? " in a crowd" : ""));
+                 std::to_string(most_patches) + ")" +
+                 (change == Change::crowd     ? " in a crowd"
+                  : change == Change::corners ? " with corners"
+                                              : ""));
     SightScene scene = random_sight_scene(scenery, seed, most_patches);
-    if (in_crowd) add_crowd(scene, seed);
+    if (change == Change::crowd) add_crowd(scene, seed);
+    if (change == Change::corners) scene = with_corners(std::move(scene), seed);
     const SightCase of(std::move(scene));
     const SightTruths truths(of);
     Visibility first;
@@ -84,11 +92,11 @@ void expect_right(SightScenery scenery, std::uint64_t seeds, unsigned most_patch
 }
 
 /// A scene in one test is small, so that its oracle is quick; larger ones have groups of groups.
-void expect_all_right(SightScenery scenery, std::uint64_t small, std::uint64_t large) {
+void expect_all_right(SightScenery scenery, std::uint64_t small, std::uint64_t large, Change change = Change::none) {
   seen = {};
-  expect_right(scenery, random_cases(small), 24);
+  expect_right(scenery, random_cases(small), 24, 1, change);
   if (testing::Test::HasFailure()) return;
-  expect_right(scenery, random_cases(large), 220, 1000);
+  expect_right(scenery, random_cases(large), change == Change::corners ? 100 : 220, 1000, change);
   std::cout << name(scenery) << ": undecided " << seen.undecided << ", clear " << seen.clear << ", occluded "
             << seen.occluded << ", facing away " << seen.facing_away << "\n";
   EXPECT_GT(seen.undecided, random_cases(100));
@@ -109,11 +117,24 @@ TEST(Visibility, IsWhatItIsOfAnyMagnitude) { expect_all_right(SightScenery::wild
 TEST(Visibility, IsWhatItIsOfDenormals) { expect_all_right(SightScenery::tiny, 80, 2); }
 TEST(Visibility, IsWhatItIsUpToTheLargestFloat) { expect_all_right(SightScenery::huge, 100, 1); }
 
+TEST(Visibility, IsRightForPolygonsInLattices) { expect_all_right(SightScenery::lattice, 50, 2, Change::corners); }
+TEST(Visibility, IsRightForPolygonsWhereAllIsFlat) { expect_all_right(SightScenery::flat, 50, 2, Change::corners); }
+TEST(Visibility, IsRightForPolygonsInRooms) { expect_all_right(SightScenery::room, 50, 2, Change::corners); }
+TEST(Visibility, IsRightForPolygonsOfRandomFloats) { expect_all_right(SightScenery::uniform, 50, 2, Change::corners); }
+TEST(Visibility, IsRightForPolygonsOfIntegersAndFloatsBesideThem) {
+  expect_all_right(SightScenery::nudged, 50, 2, Change::corners);
+}
+TEST(Visibility, IsRightForPolygonsOfAnyMagnitude) { expect_all_right(SightScenery::wild, 12, 1, Change::corners); }
+TEST(Visibility, IsRightForPolygonsOfDenormals) { expect_all_right(SightScenery::tiny, 30, 1, Change::corners); }
+TEST(Visibility, IsRightForPolygonsUpToTheLargestFloat) {
+  expect_all_right(SightScenery::huge, 30, 1, Change::corners);
+}
+
 TEST(Visibility, IsWhatItIsAmongManyOccluders) {
   seen = {};
-  expect_right(SightScenery::nudged, random_cases(40), 8, 1, true);
-  expect_right(SightScenery::flat, random_cases(300), 2, 1, true);
-  expect_right(SightScenery::nudged, random_cases(4), 120, 1000, true);
+  expect_right(SightScenery::nudged, random_cases(40), 8, 1, Change::crowd);
+  expect_right(SightScenery::flat, random_cases(300), 2, 1, Change::crowd);
+  expect_right(SightScenery::nudged, random_cases(4), 120, 1000, Change::crowd);
   EXPECT_GT(seen.undecided, random_cases(100));
   EXPECT_GT(seen.clear, random_cases(20));
   EXPECT_GT(seen.occluded, random_cases(20));

@@ -292,6 +292,8 @@ TEST(Siblings, BoxesAreBehindPlanesExactly) {
     for (std::size_t k = 0; k != 3; ++k) planes.least_normal[k] = planes.largest_normal[k] = normal[k].data();
     planes.least_offset = offset.data();
     planes.error = error.data();
+    for (std::size_t k = 0; k != 3; ++k) planes.exact.normal[k] = normal[k].data();
+    planes.exact.offset = offset.data();
     const Streams boxes(scene.a);
     on_each_instruction_set([&] {
       const SiblingKernels& kernels = kernel::active_kernels().siblings;
@@ -300,7 +302,9 @@ TEST(Siblings, BoxesAreBehindPlanesExactly) {
         PlaneRow row{{plane.normal[0], plane.normal[1], plane.normal[2]},
                      {plane.normal[0], plane.normal[1], plane.normal[2]},
                      plane.offset,
-                     error[i]};
+                     error[i],
+                     planes.exact,
+                     i};
         const BoxRow box = row_of(scene.a[i]);
         const std::uint64_t all = count == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
         const std::uint64_t some = all & 0x3333333333333333U;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-/// Which boxes lie on or behind planes of patches.
+/// Which boxes and corners lie on or behind planes of patches.
 ///
-/// The corner of a box that is farthest in front of a plane says so: normal·corner − offset ≤ 0. What is computed is
+/// The corner of a box that is farthest in front of a plane decides: normal·corner − offset ≤ 0. The computed value is
 /// off by at most `error`, within which the exact predicate decides. Where that is 0, as for planes across an axis, the
-/// computed sign is right.
+/// computed sign is right. A patch with corners may have several planes that nearly agree: `error` covers them all.
 #pragma once
 
 #include <cstring>
 
-#include "exact/pair.hpp"
 #include "kernels/shared/word.hpp"
+#include "kernels/siblings/form.hpp"
 #include "kernels/siblings/siblings.hpp"
 #include "support/compiler.hpp"
 
@@ -52,10 +52,47 @@ std::uint64_t behind_plane(const PlaneRow& plane, const float* const* boxes, uns
   behind &= lanes;
   if (undecided == 0) [[likely]]
     return behind;
-  const ThreeFloats<L> exact{{plane.least_normal[0], plane.least_normal[1], plane.least_normal[2]}};
   return behind | decide_lanes<L>(undecided, [&](unsigned lane) {
-           const ThreeFloats<L> point{{farthest[0][lane], farthest[1][lane], farthest[2][lane]}};
-           return is_point_behind(exact.of, plane.least_offset, point.of);
+           const BoundAt<L, 6> box(boxes, lane);
+           return plane.exact.is_box_behind(plane.lane, box.value);
+         });
+}
+
+/// As SiblingKernels has it.
+template <class L>
+std::uint64_t corners_behind_plane(const PlaneRow& plane, const float* const* corner, unsigned corners, unsigned count,
+                                   std::uint64_t asked) noexcept {
+  typename L::Vector normal[3];
+  for (unsigned k = 0; k < 3; ++k) normal[k] = L::all(plane.least_normal[k]);
+  const auto offset = L::all(plane.least_offset);
+  const auto error = L::all(plane.error);
+  const auto behind_from = L::all(-plane.error);
+  std::uint64_t in_front = 0;
+  std::uint64_t certain = ~std::uint64_t{0};
+  asked &= lanes_up_to<L>(count);
+  for (unsigned lane = 0; lane < count; lane += L::width) {
+    std::uint64_t left = asked & lanes_of<L>(lane);
+    for (unsigned c = 0; c < corners && left != 0; ++c) {
+      auto sum = L::multiply(normal[0], L::load(corner[3 * c] + lane));
+      sum = L::multiply_add(normal[1], L::load(corner[3 * c + 1] + lane), sum);
+      sum = L::multiply_add(normal[2], L::load(corner[3 * c + 2] + lane), sum);
+      const auto value = L::subtract(sum, offset);
+      left &= ~(L::bits(L::less(error, value)) << lane);
+      certain &= L::bits(L::less_equal(value, behind_from)) << lane | ~lanes_of<L>(lane);
+    }
+    in_front |= asked & lanes_of<L>(lane) & ~left;
+  }
+  asked &= ~in_front;
+  const std::uint64_t undecided = asked & ~certain;
+  if (undecided == 0) [[likely]]
+    return asked;
+  return (asked & certain) | decide_lanes<L>(undecided, [&](unsigned lane) {
+           bool is_behind = true;
+           for (unsigned c = 0; c < corners && is_behind; ++c) {
+             const BoundAt<L, 3> point(corner + 3 * c, lane);
+             is_behind = plane.exact.is_behind(plane.lane, point.value);
+           }
+           return is_behind;
          });
 }
 
@@ -97,13 +134,8 @@ std::uint64_t behind_planes(const PlaneStreams& planes, unsigned count, const fl
   if (undecided == 0) [[likely]]
     return behind;
   return behind | decide_lanes<L>(undecided, [&](unsigned lane) {
-           ThreeFloats<L> normal;
-           ThreeFloats<L> point;
-           for (unsigned k = 0; k < 3; ++k) {
-             normal.of[k] = planes.least_normal[k][lane];
-             point.of[k] = normal.of[k] > 0 ? box[k + 3] : box[k];
-           }
-           return is_point_behind(normal.of, planes.least_offset[lane], point.of);
+           const SixFaces<L> faces(box);
+           return planes.exact.is_box_behind(lane, faces.face);
          });
 }
 
@@ -130,11 +162,8 @@ std::uint64_t points_behind_planes(const PlaneStreams& planes, unsigned count, c
     undecided &= asked;
     if (undecided == 0) [[likely]]
       continue;
-    asked &= ~undecided | decide_lanes<L>(undecided, [&](unsigned lane) {
-      const ThreeFloats<L> normal{
-          {planes.least_normal[0][lane], planes.least_normal[1][lane], planes.least_normal[2][lane]}};
-      return is_point_behind(normal.of, planes.least_offset[lane], point.of);
-    });
+    asked &=
+        ~undecided | decide_lanes<L>(undecided, [&](unsigned lane) { return planes.exact.is_behind(lane, point.of); });
   }
   return asked;
 }

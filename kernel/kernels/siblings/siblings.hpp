@@ -14,6 +14,7 @@
 #include <cstdint>
 
 #include "compiled/shaft_data.hpp"
+#include "exact/patch_plane.hpp"
 #include "support/exact_floats.hpp"
 
 namespace shaftcull::kernel {
@@ -60,13 +61,14 @@ struct ListedSides {
   const std::uint64_t* columns;
 };
 
-/// Planes of patches, or of groups of them: bounds of the components of their normals, and of their offsets. Those of a
-/// patch are equal.
+/// Planes of patches, or of groups of them: bounds of the components of their normals, and of their offsets, in which
+/// the tolerance is. Those of a patch are equal, and stand for all of its planes.
 struct PlaneStreams {
   const float* least_normal[3];
   const float* largest_normal[3];
   const float* least_offset;
   const float* error;  ///< of a computed normal·p − offset; NaN where floats overflow
+  ExactPlanes exact;   ///< of patches
 };
 
 /// A plane of PlaneStreams alone.
@@ -75,6 +77,8 @@ struct PlaneRow {
   float largest_normal[3];
   float least_offset;
   float error;
+  ExactPlanes exact;  ///< of patches
+  unsigned lane;      ///< which of them it is
 };
 
 /// Streams must be readable up to the end of the vector in which the last lane is: they are padded.
@@ -120,6 +124,11 @@ struct SiblingKernels {
   /// The patches of `asked`, of `count` ≤ 64, on or behind whose planes the box lies.
   std::uint64_t (*behind_planes)(const PlaneStreams& planes, unsigned count, const float* box,
                                  std::uint64_t asked) noexcept;
+
+  /// The patches, of `count` ≤ 64, all of whose corners lie on or behind a patch's plane. Stream 3 c + k of
+  /// 3 · `corners` has coordinate k of corner c.
+  std::uint64_t (*corners_behind_plane)(const PlaneRow& plane, const float* const* corner, unsigned corners,
+                                        unsigned count, std::uint64_t asked) noexcept;
 
   /// Likewise of points, all of which lie there.
   std::uint64_t (*points_behind_planes)(const PlaneStreams& planes, unsigned count, const Vec3* points,

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "exact/patch_plane.hpp"
+
+#include <cmath>
+
+#include "exact/expansion.hpp"
+#include "exact/orientation.hpp"
+
+namespace shaftcull::kernel {
+namespace {
+
+/// From one corner to another.
+struct Edge3 {
+  Step step[3];
+
+  Edge3(const Vec3& from, const Vec3& to) noexcept {
+    for (unsigned k = 0; k != 3; ++k) step[k] = {to[k], from[k]};
+  }
+};
+
+/// n · w − tolerance |n|₁ as an expansion, n = u × v.
+int exact_side(const Edge3& u, const Edge3& v, const Edge3& w, double tolerance) noexcept {
+  Expansion<288> sum;
+  for (unsigned k = 0; k != 3; ++k) {
+    const unsigned i = (k + 1) % 3;
+    const unsigned j = (k + 2) % 3;
+    const auto n = determinant<Expansion<2>>(u.step[i], u.step[j], v.step[i], v.step[j]);
+    const auto along = n * w.step[k].in<Expansion<2>>();
+    const auto allowed = n * (n.sign() < 0 ? tolerance : -tolerance);
+    for (std::size_t t = 0; t != along.size(); ++t) sum.grow(along[t]);
+    for (std::size_t t = 0; t != allowed.size(); ++t) sum.grow(allowed[t]);
+  }
+  return sum.sign();
+}
+
+/// The sign of n · w − tolerance |n|₁.
+int side(const Edge3& u, const Edge3& v, const Edge3& w, double tolerance) noexcept {
+  double sum = 0;
+  double magnitude = 0;
+  for (unsigned k = 0; k != 3; ++k) {
+    const unsigned i = (k + 1) % 3;
+    const unsigned j = (k + 2) % 3;
+    const double left = u.step[i].rounded() * v.step[j].rounded();
+    const double right = u.step[j].rounded() * v.step[i].rounded();
+    const double n = left - right;
+    const double along = w.step[k].rounded();
+    sum += n * along - tolerance * std::fabs(n);
+    magnitude += (std::fabs(left) + std::fabs(right)) * (std::fabs(along) + tolerance);
+  }
+  // A term rounds for four differences, two products, their difference, two more products, a difference and three sums:
+  // fewer than 12 units of its magnitude.
+  if (std::fabs(sum) > 24 * 0x1p-53 * magnitude) return sum > 0 ? 1 : -1;
+  if (tolerance != 0) return exact_side(u, v, w, tolerance);
+  constexpr double origin[3] = {0, 0, 0};
+  return SpannedPlane(origin, u.step, v.step).sign_along(w.step);
+}
+
+bool has_area(const Edge3& u, const Edge3& v) noexcept {
+  for (unsigned k = 0; k != 3; ++k) {
+    const unsigned i = (k + 1) % 3;
+    const unsigned j = (k + 2) % 3;
+    if (determinant_sign(u.step[i], u.step[j], v.step[i], v.step[j]) != 0) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+int height_sign(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& x, float tolerance) noexcept {
+  return side(Edge3(p, q), Edge3(p, r), Edge3(p, x), double{tolerance});
+}
+
+bool is_behind_patch(std::span<const Vec3> corners, float tolerance, const Vec3& point) noexcept {
+  bool has_plane = false;
+  const Edge3 to_point(corners[0], point);
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    const Edge3 u(corners[0], corners[i - 1]);
+    const Edge3 v(corners[0], corners[i]);
+    const int where = side(u, v, to_point, double{tolerance});
+    if (where > 0) return false;
+    has_plane = has_plane || where < 0 || has_area(u, v);
+  }
+  return has_plane;
+}
+
+bool ExactPlanes::is_behind(unsigned lane, const float (&point)[3]) const noexcept {
+  if (corner != nullptr) {
+    std::array<Vec3, most_patch_corners> corner_of;
+    for (unsigned c = 0; c != corners; ++c) {
+      for (unsigned k = 0; k != 3; ++k) corner_of[c][k] = corner[3 * c + k][first + lane];
+    }
+    return is_behind_patch({corner_of.data(), corners}, tolerance, {point[0], point[1], point[2]});
+  }
+  // Products of two floats are exact in doubles.
+  Expansion<7> sum(-double{offset[lane]});
+  for (unsigned k = 0; k != 3; ++k) {
+    sum.grow(double{normal[k][lane]} * point[k]);
+    sum.grow(-std::fabs(double{normal[k][lane]}) * tolerance);
+  }
+  return sum.sign() <= 0;
+}
+
+bool ExactPlanes::is_box_behind(unsigned lane, const float (&box)[6]) const noexcept {
+  float point[3];
+  if (corner == nullptr) {  // the corner that is farthest in front
+    for (unsigned k = 0; k != 3; ++k) point[k] = normal[k][lane] > 0 ? box[k + 3] : box[k];
+    return is_behind(lane, point);
+  }
+  for (unsigned c = 0; c != 8; ++c) {
+    for (unsigned k = 0; k != 3; ++k) point[k] = box[(c >> k & 1U) != 0 ? k + 3 : k];
+    if (!is_behind(lane, point)) return false;
+  }
+  return true;
+}
+
+PatchNormals::PatchNormals(std::span<const Vec3> corners) noexcept {
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    const Edge3 u(corners[0], corners[i - 1]);
+    const Edge3 v(corners[0], corners[i]);
+    constexpr double origin[3] = {0, 0, 0};
+    const SpannedPlane plane(origin, u.step, v.step);
+    std::array<double, 3>& normal = normal_[count_];
+    double square = 0;
+    for (unsigned k = 0; k != 3; ++k) {
+      normal[k] = plane.normal(k);
+      square += normal[k] * normal[k];
+    }
+    if (square == 0) continue;  // every component is 0: none underflows when squared
+    for (double& n : normal) n /= std::sqrt(square);
+    ++count_;
+  }
+}
+
+}  // namespace shaftcull::kernel

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+/// Planes that have two patches on one side: whether one of them has an occluder on the other.
+///
+/// The convex hull of two patches is the shaft between them. Each of its faces that joins both lies in a plane through
+/// an edge of one patch and a corner of the other. An occluder all of whose corners lie behind such a plane does not
+/// reach into the shaft.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "shaftcull/bounds.hpp"
+#include "shaftcull/compiled.hpp"
+
+namespace shaftcull::kernel {
+
+/// All planes through an edge of one of two patches and a corner of the other that have no corner of either behind
+/// them, and at least one in front. An edge joins consecutive corners, or the last one and the first. Memory is kept
+/// from one pair of patches to the next.
+class TangentPlanes {
+ public:
+  /// The planes of two patches, by their corners in order. A box has those of its eight corners that differ, and as
+  /// edges all lines between two of them.
+  struct Patch {
+    std::span<const Vec3> corners;
+    bool is_box;
+  };
+  void find(const Patch& a, const Patch& b);
+
+  /// Whether moving the coordinates of points by the tolerance at most can bring them all behind one of the planes;
+  /// with open contact, on it or behind it.
+  [[nodiscard]] bool separate(std::span<const Vec3> points, Contact contact, float tolerance) const noexcept;
+
+ private:
+  /// A plane through three points, whose normal (q − p) × (r − p) points to the front. Signs come from rounded numbers
+  /// where these are certain.
+  class Tangent {
+   public:
+    Tangent(const Vec3& p, const Vec3& q, const Vec3& r) noexcept;
+
+    /// The sign of n · (x − p) − tolerance |n|₁.
+    [[nodiscard]] int side(const Vec3& x, float tolerance) const noexcept;
+
+   private:
+    Vec3 p_;
+    Vec3 q_;
+    Vec3 r_;
+    double normal_[3];
+    double magnitude_[3];  ///< of the terms of each component
+  };
+
+  void add_through_edges(const Patch& edges, const Patch& other);
+  void add(const Vec3& p, const Vec3& q, const Vec3& r, const Patch& one, const Patch& other);
+
+  std::vector<Tangent> planes_;
+};
+
+}  // namespace shaftcull::kernel

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+/// What faces away from groups and patches of the ladder, and which occluders lie behind them.
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "visibility/ladder_parts.hpp"
+#include "visibility/lanes.hpp"
+
+namespace shaftcull::kernel {
+namespace {
+
+/// Occluders with more points are looked up rather than tested again, and only by patches.
+constexpr std::size_t few_points = 64;
+
+double along(const Direction& direction, const Vec3& p) noexcept {
+  return direction[0] * p[0] + direction[1] * p[1] + direction[2] * p[2];
+}
+
+double farthest_of(std::span<const Vec3> points, const Direction& direction) noexcept {
+  double farthest = along(direction, points.front());
+  for (const Vec3& point : points.subspan(1)) farthest = std::max(farthest, along(direction, point));
+  return farthest;
+}
+
+/// The length of the diagonal of the box around two boxes, or more.
+double reach_of(const float (&a)[6], const float (&b)[6]) noexcept {
+  double square = 0;
+  for (unsigned k = 0; k != 3; ++k) {
+    const double length = double{std::max(a[k + 3], b[k + 3])} - std::min(a[k], b[k]);
+    square += length * length;
+  }
+  return std::sqrt(square) * (1 + 0x1p-40);
+}
+
+}  // namespace
+
+/// The planes of a lane of a side whose patches have corners.
+FacingPlanes Ladder::Side::facing_planes_of(unsigned lane) const noexcept {
+  return are_patches ? facing_planes(corners(lane).all()) : set.tree.turned_groups()[first + lane].planes;
+}
+
+/// The largest component of a corner of a lane along a direction, or more.
+double Ladder::Side::farthest(unsigned lane, const Direction& direction) const noexcept {
+  if (are_patches) return farthest_of(corners(lane).all(), direction);
+  if (has_corners()) return set.tree.turned_groups()[first + lane].farthest(direction);
+  double sum = 0;
+  for (unsigned k = 0; k != 3; ++k) sum += std::max(direction[k] * box[k][lane], direction[k] * box[k + 3][lane]);
+  return sum;
+}
+
+/// Whether all patches of a lane lie on or behind all planes of a lane of a side whose patches have corners. It may say
+/// no.
+bool Ladder::Side::is_behind(unsigned lane, const Side& other, unsigned other_lane) const noexcept {
+  const FacingPlanes planes_of_other = other.facing_planes_of(other_lane);
+  float a[6];
+  float b[6];
+  copy_box(lane, a);
+  other.copy_box(other_lane, b);
+  return are_behind(planes_of_other, farthest(lane, planes_of_other.mean), reach_of(a, b), double{other.set.coordinate},
+                    double{other.set.tolerance});
+}
+
+/// Patches of a side all of whose corners lie on or behind the planes of a patch of another one.
+std::uint64_t Ladder::Side::corners_behind(const Side& other, unsigned lane, std::uint64_t asked,
+                                           const SiblingKernels& kernels) const noexcept {
+  const float* corner[3 * most_patch_corners];
+  const unsigned corners = has_corners() ? set.tree.corner_streams().corners() : most_patch_corners;
+  for (unsigned s = 0; s != 3 * corners; ++s) {
+    const unsigned k = s % 3;
+    corner[s] =
+        has_corners() ? set.tree.corner_streams().streams()[s] + first : box[(s / 3 >> k & 1U) != 0 ? k + 3 : k];
+  }
+  return kernels.corners_behind_plane(other.plane(lane), corner, corners, count, asked);
+}
+
+/// Lanes of `asked` of which no patch and no patch of a lane of another side see each other, since one of the two lies
+/// on or behind the plane of the other. Of groups, not all of these.
+std::uint64_t Ladder::facing_away(const Side& lanes, const Side& one, unsigned lane, std::uint64_t asked) const {
+  const SiblingKernels& kernels = job_.kernels;
+  if (!lanes.has_planes() && !one.has_planes()) return 0;
+  const bool have_corners = lanes.has_corners() || one.has_corners();
+  if (have_corners && lanes.are_patches && one.are_patches) {
+    std::uint64_t away = 0;
+    if (lanes.has_planes()) {
+      const PatchCorners points = one.corners(lane);
+      away = kernels.points_behind_planes(lanes.planes, lanes.count, points.all().data(), points.all().size(), asked);
+    }
+    if (one.has_planes()) away |= lanes.corners_behind(one, lane, asked & ~away, kernels);
+    return away;
+  }
+  float faces[6];
+  one.copy_box(lane, faces);
+  std::uint64_t away = lanes.with_behind(faces, asked, kernels) | lanes.behind_plane_of(one, lane, kernels);
+  if (!have_corners) return asked & away;
+  for_each_lane(asked & ~away, [&](unsigned other) {
+    if ((lanes.has_corners() && one.is_behind(lane, lanes, other)) ||
+        (one.has_corners() && lanes.is_behind(other, one, lane))) {
+      away |= bit(other);
+    }
+  });
+  return asked & away;
+}
+
+/// Lanes of `asked` on or behind all of whose planes an occluder lies.
+std::uint64_t Ladder::behind(const Side& lanes, std::uint32_t occluder, std::uint64_t asked) {
+  if (!lanes.has_planes() || asked == 0) return 0;
+  const float(&box)[8] = job_.occluders.boxes[occluder].face;
+  std::uint64_t behind = asked & lanes.with_behind(box, asked, job_.kernels);
+  std::span<const Vec3> points = job_.occluders.points_of(occluder);
+  PatchCorners of_box;
+  if (points.empty() && lanes.has_corners()) {
+    of_box = corners_of_box({{box[0], box[1], box[2]}, {box[3], box[4], box[5]}});
+    points = of_box.all();
+  }
+  if (points.empty() || behind == asked) return behind;
+  if (!lanes.are_patches) {
+    if (!lanes.has_corners() || points.size() > few_points) return behind;
+    for_each_lane(asked & ~behind, [&](unsigned lane) {
+      const FacingPlanes planes = lanes.facing_planes_of(lane);
+      float a[6];
+      lanes.copy_box(lane, a);
+      const float b[6] = {box[0], box[1], box[2], box[3], box[4], box[5]};
+      if (are_behind(planes, farthest_of(points, planes.mean), reach_of(a, b), double{lanes.set.coordinate},
+                     double{lanes.set.tolerance})) {
+        behind |= bit(lane);
+      }
+    });
+    return behind;
+  }
+  // The box may stick out where the points do not.
+  const auto points_behind = [&](std::uint64_t of) {
+    return job_.kernels.points_behind_planes(lanes.planes, lanes.count, points.data(), points.size(), of);
+  };
+  if (points.size() <= few_points) return behind | points_behind(asked & ~behind);
+  // Many points, and the same groups again and again: what was found is kept.
+  constexpr std::size_t kept = std::size_t{1} << 16;
+  if (points_behind_.empty()) points_behind_.resize(kept);
+  PointsBehind& known = points_behind_[(lanes.first * 0x9e3779b1U ^ occluder * 0x85ebca6bU) >> 16U];
+  if (known.tree != &lanes.set.tree || known.first != lanes.first || known.occluder != occluder) {
+    const std::uint64_t all = first_lanes(lanes.count);
+    const std::uint64_t of_box_alone = all & lanes.with_behind(box, all, job_.kernels);
+    known = {&lanes.set.tree, lanes.first, occluder, of_box_alone | points_behind(all & ~of_box_alone)};
+  }
+  return asked & (behind | known.lanes);
+}
+
+}  // namespace shaftcull::kernel

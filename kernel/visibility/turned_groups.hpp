@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+/// Groups of patches with corners, as boxes turned to the way that the patches face.
+///
+/// The box around a turned wall sticks out of the wall's plane. A box with one side along that plane does not, so a
+/// wall is found to lie in its own plane, or behind another one, as a whole.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "exact/patch_plane.hpp"
+#include "shaftcull/bounds.hpp"
+
+namespace shaftcull::kernel {
+
+class PatchTree;
+
+using Direction = std::array<double, 3>;
+
+/// The planes of patches: unit normals differ from `mean` by at most `spread` in length, and mean·p ≥ `least` for a
+/// corner p of each patch that is in all of its planes. If a patch has no plane, `spread` is infinite.
+struct FacingPlanes {
+  Direction mean;
+  double least;
+  double spread;
+};
+
+/// All corners of a group of patches have components from lo to hi along three axes, which are orthonormal but for
+/// 2⁻⁴⁴; and the planes of the patches.
+struct TurnedGroup {
+  std::array<Direction, 3> axis;
+  Direction lo;
+  Direction hi;
+  FacingPlanes planes;
+
+  /// The largest component of a corner along a direction, or more.
+  [[nodiscard]] double farthest(const Direction& direction) const noexcept;
+};
+
+/// The planes of one patch.
+[[nodiscard]] FacingPlanes facing_planes(std::span<const Vec3> corners) noexcept;
+
+/// One for each group of a tree whose patches have corners.
+[[nodiscard]] std::vector<TurnedGroup> turned_groups(const PatchTree& tree);
+
+/// Whether all points lie on or behind all planes, within the tolerance. It may say no. No point's component along
+/// `planes.mean` is larger than `farthest`, none is farther than `reach` from a corner of the patches, and no
+/// coordinate is larger than `coordinate`.
+[[nodiscard]] bool are_behind(const FacingPlanes& planes, double farthest, double reach, double coordinate,
+                              double tolerance) noexcept;
+
+}  // namespace shaftcull::kernel

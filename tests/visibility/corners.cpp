@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+/// Patches with corners: walls at any angle are seen as axis-parallel ones are.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "caught.hpp"
+#include "instruction_sets.hpp"
+#include "message_of.hpp"
+#include "shaftcull/shaftcull.hpp"
+
+namespace shaftcull {
+namespace {
+
+using Point = std::array<double, 3>;
+
+/// Walls of squares, and one group of triangles per wall.
+struct Walls {
+  std::vector<Point> corners;  ///< four of each square
+  std::vector<std::size_t> first_square;
+
+  /// n × m squares that fill the parallelogram from a corner along two sides. They face u × v.
+  void add(const Point& from, const Point& u, const Point& v, int n, int m) {
+    first_square.push_back(corners.size() / 4);
+    const auto at = [&](int i, int j) {
+      Point p{};
+      for (std::size_t k = 0; k != 3; ++k) p[k] = from[k] + u[k] * i / n + v[k] * j / m;
+      return p;
+    };
+    for (int i = 0; i != n; ++i) {
+      for (int j = 0; j != m; ++j) {
+        for (const Point& p : {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}) corners.push_back(p);
+      }
+    }
+  }
+
+  /// Turned about an axis through the origin: Rodrigues' formula.
+  [[nodiscard]] Walls turned(double angle, const Point& about) const {
+    const double length = std::hypot(about[0], about[1], about[2]);
+    const Point e{about[0] / length, about[1] / length, about[2] / length};
+    Walls walls = *this;
+    for (Point& p : walls.corners) {
+      const double along = (e[0] * p[0] + e[1] * p[1] + e[2] * p[2]) * (1 - std::cos(angle));
+      const Point q = p;
+      for (std::size_t k = 0; k != 3; ++k) {
+        const std::size_t i = (k + 1) % 3;
+        const std::size_t j = (k + 2) % 3;
+        p[k] = q[k] * std::cos(angle) + (e[i] * q[j] - e[j] * q[i]) * std::sin(angle) + e[k] * along;
+      }
+    }
+    return walls;
+  }
+
+  [[nodiscard]] std::vector<Vec3> rounded() const {
+    std::vector<Vec3> to;
+    for (const Point& p : corners) {
+      to.push_back({static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])});
+    }
+    return to;
+  }
+  [[nodiscard]] PatchSet patches() const {
+    std::vector<std::size_t> first;
+    for (std::size_t i = 0; i <= corners.size(); i += 4) first.push_back(i);
+    return PatchSet(std::span<const Vec3>(rounded()), std::span<const std::size_t>(first));
+  }
+  [[nodiscard]] Occluders occluders() const {
+    const std::vector<Vec3> at = rounded();
+    std::vector<Triangle> triangles;
+    for (std::size_t i = 0; i != at.size(); i += 4) {
+      triangles.push_back({{at[i], at[i + 1], at[i + 2]}});
+      triangles.push_back({{at[i], at[i + 2], at[i + 3]}});
+    }
+    std::vector<std::size_t> first;
+    for (const std::size_t square : first_square) first.push_back(2 * square);
+    first.push_back(triangles.size());
+    Occluders occluders;
+    occluders.add_triangles(TriangleStream(std::span<const Triangle>(triangles)).view(), first);
+    return occluders;
+  }
+};
+
+constexpr Point skew{1, 2, 3};
+
+/// Much more than rounding moves a plane, and much less than a patch is wide.
+VisibilityOptions tolerant() {
+  VisibilityOptions options;
+  options.tolerance = 0x1p-14F;
+  return options;
+}
+
+/// A cube that faces inwards.
+Walls cube(double size, int squares) {
+  const double s = size;
+  Walls walls;
+  walls.add({0, 0, 0}, {s, 0, 0}, {0, s, 0}, squares, squares);
+  walls.add({0, 0, s}, {0, s, 0}, {s, 0, 0}, squares, squares);
+  walls.add({0, 0, 0}, {0, s, 0}, {0, 0, s}, squares, squares);
+  walls.add({s, 0, 0}, {0, 0, s}, {0, s, 0}, squares, squares);
+  walls.add({0, 0, 0}, {0, 0, s}, {s, 0, 0}, squares, squares);
+  walls.add({0, s, 0}, {s, 0, 0}, {0, 0, s}, squares, squares);
+  return walls;
+}
+
+/// An L-shaped room out of three unit cubes, n × n squares per unit, which faces inwards.
+Walls room_with_corner(int n) {
+  Walls walls;
+  for (const double z : {0.0, 1.0}) {
+    for (const Point& from : {Point{0, 0, z}, Point{1, 0, z}, Point{0, 1, z}}) {
+      if (z == 0) walls.add(from, {1, 0, 0}, {0, 1, 0}, n, n);
+      if (z == 1) walls.add(from, {0, 1, 0}, {1, 0, 0}, n, n);
+    }
+  }
+  walls.add({0, 0, 0}, {0, 0, 1}, {2, 0, 0}, n, 2 * n);
+  walls.add({2, 0, 0}, {0, 0, 1}, {0, 1, 0}, n, n);
+  walls.add({2, 1, 0}, {0, 0, 1}, {-1, 0, 0}, n, n);
+  walls.add({1, 1, 0}, {0, 0, 1}, {0, 1, 0}, n, n);
+  walls.add({1, 2, 0}, {0, 0, 1}, {-1, 0, 0}, n, n);
+  walls.add({0, 2, 0}, {0, 0, 1}, {0, -2, 0}, n, 2 * n);
+  return walls;
+}
+
+TEST(VisibilityOfCorners, PatchesOfOneLeaningWallFaceAway) {
+  Walls wall;
+  wall.add({0, 0, 0}, {1, 0, 1}, {0, 1, 0}, 24, 1);
+  const PatchSet patches = wall.patches();
+  on_each_instruction_set([&] {
+    const SightCounts counts = count_visibility(patches, wall.occluders(), tolerant());
+    EXPECT_EQ(counts.facing_away, 276U);
+    EXPECT_EQ(counts.total(), 276U);
+  });
+}
+
+TEST(VisibilityOfCorners, TrianglesOfOneLeaningSquareFaceAwayWithoutATolerance) {
+  const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 1}, {1, 1, 1}, {0, 0, 0}, {1, 1, 1}, {0, 1, 0}};
+  const std::vector<std::size_t> first{0, 3, 6};
+  const PatchSet patches{std::span<const Vec3>(corners), std::span<const std::size_t>(first)};
+  on_each_instruction_set([&] { EXPECT_EQ(count_visibility(patches, Occluders()).facing_away, 1U); });
+}
+
+TEST(VisibilityOfCorners, EveryPairInACubeIsDecidedHoweverTheCubeIsTurned) {
+  const Walls straight = cube(2, 4);
+  const SightCounts expected{
+      .undecided = 0, .clear = 6 * 5 / 2 * 16 * 16, .occluded = 0, .facing_away = 6 * 16 * 15 / 2};
+  on_each_instruction_set([&] {
+    EXPECT_EQ(count_visibility(straight.patches(), straight.occluders()), expected);
+    for (const Point& about : {Point{0, 0, 1}, skew}) {
+      const Walls turned = straight.turned(0.5, about);
+      EXPECT_EQ(count_visibility(turned.patches(), turned.occluders(), tolerant()), expected);
+    }
+  });
+}
+
+TEST(VisibilityOfCorners, ATurnedRoomWithACornerHasTheAnswersOfTheRoom) {
+  const Walls straight = room_with_corner(8);
+  const Walls turned = straight.turned(0.5, skew);
+  ASSERT_EQ(straight.patches().size(), 896U);
+  const SightCounts expected = count_visibility(straight.patches(), straight.occluders());
+  on_each_instruction_set([&] {
+    const SightCounts counts = count_visibility(turned.patches(), turned.occluders(), tolerant());
+    EXPECT_GE(static_cast<double>(counts.clear), 0.95 * static_cast<double>(expected.clear));
+    EXPECT_GE(static_cast<double>(counts.facing_away), 0.95 * static_cast<double>(expected.facing_away));
+                (unsigned long long)expected.clear, (unsigned long long)expected.facing_away,
+                (unsigned long long)counts.undecided, (unsigned long long)counts.clear,
+                (unsigned long long)counts.facing_away);
+  });
+}
+
+TEST(VisibilityOfCorners, PolygonsThatAreTheirBoxesAreAnsweredAsBoxesWithPlanes) {
+  const Walls walls = room_with_corner(2);
+  const PatchSet polygons = walls.patches();
+  const std::vector<Vec3> at = walls.rounded();
+  std::vector<Box> boxes;
+  std::vector<Plane> planes;
+  for (std::size_t i = 0; i != at.size(); i += 4) {
+    boxes.push_back(box_around(std::span(at).subspan(i, 4)));
+    Plane plane{};
+    for (std::size_t k = 0; k != 3; ++k) {
+      const std::size_t p = (k + 1) % 3;
+      const std::size_t q = (k + 2) % 3;
+      const float twice =
+          (at[i + 1][p] - at[i][p]) * (at[i + 2][q] - at[i][q]) - (at[i + 1][q] - at[i][q]) * (at[i + 2][p] - at[i][p]);
+      plane.normal[k] = twice > 0 ? 1.0F : twice < 0 ? -1.0F : 0.0F;
+      plane.offset += plane.normal[k] * at[i][k];
+    }
+    planes.push_back(plane);
+  }
+  const PatchSet with_planes{std::span<const Box>(boxes), planes};
+  const Visibility expected = collect_visibility(with_planes, walls.occluders());
+  const Visibility all = collect_visibility(polygons, walls.occluders());
+  EXPECT_EQ(all.counts, expected.counts);
+  EXPECT_EQ(all.products, expected.products);
+  EXPECT_EQ(all.undecided, expected.undecided);
+  EXPECT_EQ(all.candidates, expected.candidates);
+}
+
+TEST(VisibilityOfCorners, ToleranceMovesEachCoordinate) {
+  // The plane x + y + z = 3: moving each coordinate by t lowers the sum by 3 t.
+  const std::vector<Vec3> corners{{3, 0, 0}, {0, 3, 0}, {0, 0, 3}};
+  const std::vector<std::size_t> first{0, 3};
+  const PatchSet patch{std::span<const Vec3>(corners), std::span<const std::size_t>(first)};
+  const Box point{{1.5F, 1.5F, 1.5F}, {1.5F, 1.5F, 1.5F}};  // the sum is 4.5
+  const PatchSet receiver(std::span<const Box>(&point, 1));
+  VisibilityOptions options;
+  options.tolerance = 0.5F;
+  EXPECT_EQ(count_visibility(patch, receiver, Occluders(), options).facing_away, 1U);
+  options.tolerance = std::nextafter(0.5F, 0.0F);
+  EXPECT_EQ(count_visibility(patch, receiver, Occluders(), options).clear, 1U);
+}
+
+TEST(VisibilityOfCorners, NothingFacesAwayFromAPatchWithoutArea) {
+  const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 5, 0}, {1, 5, 0}, {3, 5, 0}};
+  const std::vector<std::size_t> first{0, 3, 6};
+  const PatchSet patches{std::span<const Vec3>(corners), std::span<const std::size_t>(first)};
+  on_each_instruction_set([&] { EXPECT_EQ(count_visibility(patches, Occluders()).clear, 1U); });
+}
+
+TEST(VisibilityOfCorners, AreRefusedUnlessTheyArePolygons) {
+  std::vector<Vec3> corners(6, Vec3{0, 0, 0});
+  const auto refused = [&](const std::vector<std::size_t>& first) {
+    return message_of([&] { PatchSet(std::span<const Vec3>(corners), std::span<const std::size_t>(first)); });
+  };
+  EXPECT_EQ(refused({0, 4, 6}), "patch 1 has 2 corners; it takes 3 to 8");
+  EXPECT_EQ(refused({0, 3}), "first_corner must begin with 0 and end with the number of corners, 6");
+  EXPECT_EQ(refused({0, 4, 3, 6}), "first_corner[2] = 3 is less than the one before it");
+  corners.resize(9);
+  EXPECT_EQ(refused({0, 9}), "patch 0 has 9 corners; it takes 3 to 8");
+  corners[4][1] = NAN;
+  const auto bad = caught<BadBound>([&] {
+    const std::vector<std::size_t> first{0, 3, 9};
+    PatchSet(std::span<const Vec3>(corners), std::span<const std::size_t>(first));
+  });
+  ASSERT_TRUE(bad);
+  EXPECT_EQ(bad->index(), 1U);
+  EXPECT_EQ(bad->what(), std::string("patch 1 has a corner that is not finite"));
+  EXPECT_EQ(PatchSet(std::span<const Vec3>(), std::span<const std::size_t>()).size(), 0U);
+}
+
+TEST(VisibilityOfCorners, AToleranceIsFiniteAndNotBelowZero) {
+  for (const float tolerance : {-1.0F, INFINITY, NAN}) {
+    VisibilityOptions options;
+    options.tolerance = tolerance;
+    EXPECT_THROW(static_cast<void>(count_visibility(PatchSet(), Occluders(), options)), InvalidArgument);
+  }
+}
+
+}  // namespace
+}  // namespace shaftcull
