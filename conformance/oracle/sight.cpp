@@ -147,14 +147,6 @@ struct BoxOf {
     for (unsigned k = 0; k != 3; ++k) point[k] = (c >> k & 1U) != 0 ? hi[k] : lo[k];
     return point;
   }
-  /// The corner moved by 2 ε of its way to the middle: into the relative interior.
-  [[nodiscard]] PointOf<Infinitesimal<Number>> inner_corner(unsigned c) const {
-    const auto coordinate = [&](unsigned k) {
-      const bool is_hi = (c >> k & 1U) != 0;
-      return Infinitesimal<Number>(is_hi ? hi[k] : lo[k], is_hi ? Number(lo[k] - hi[k]) : Number(hi[k] - lo[k]));
-    };
-    return {coordinate(0), coordinate(1), coordinate(2)};
-  }
 };
 
 template <class Number>
@@ -275,7 +267,7 @@ class Answers final : public SightOracle::Questions {
     truth.is_facing_away = are_behind(a, b.corners) || are_behind(b, a.corners);
     for (std::size_t k = 0; k != solids_.size() && !truth.is_occluded; ++k) truth.is_occluded = blocks(i, j, k);
     for (std::size_t k = 0; k != polygons_.size() && !truth.is_occluded; ++k) {
-      truth.is_occluded = polygon_blocks(a.box, b.box, polygons_[k]);
+      truth.is_occluded = polygon_blocks(a.corners, b.corners, polygons_[k]);
     }
     bool has_tangents = false;
     std::vector<AnyPlane> planes;
@@ -314,7 +306,7 @@ class Answers final : public SightOracle::Questions {
     const AnyBox& solid = solids_[k];
     if (!solids_around_ends_ && (holds_part_of(solid, a_[i].box) || holds_part_of(solid, b_[j].box))) return false;
     const bool is_open = !solid.is_flat(0) && !solid.is_flat(1) && !solid.is_flat(2);
-    return all_segments(a_[i].box, b_[j].box, is_open,
+    return all_segments(a_[i].corners, b_[j].corners, is_open,
                         [&](const auto& p, const auto& q) { return passes_box(p, q, solid); });
   }
 
@@ -436,18 +428,26 @@ class Answers final : public SightOracle::Questions {
     return true;
   }
 
-  /// Whether all segments between the relative interiors of two boxes pass. These are the unions of the boxes shrunk
-  /// towards their middles, by however little, and of a shrunk box the corners decide. If `is_open`, points near those
+  /// A corner moved by n ε of its way to the middle of all n corners: into the relative interior of their hull.
+  [[nodiscard]] static PointOf<Infinitesimal<Number>> inner(const Point& corner, const std::vector<Point>& corners) {
+    const auto coordinate = [&](std::size_t k) {
+      Number way = 0;
+      for (const Point& other : corners) way += other[k] - corner[k];
+      return Infinitesimal<Number>(corner[k], way);
+    };
+    return {coordinate(0), coordinate(1), coordinate(2)};
+  }
+
+  /// Whether all segments between the relative interiors of two hulls pass. These are the unions of the hulls shrunk
+  /// towards their middles, by however little, and of a shrunk hull the corners decide. If `is_open`, points near those
   /// of a segment that passes have segments that pass, so most corners need not be moved.
   template <class Passes>
-  [[nodiscard]] static bool all_segments(const AnyBox& a, const AnyBox& b, bool is_open, const Passes& passes) {
-    for (unsigned c = 0; c != 8; ++c) {
-      for (unsigned d = 0; d != 8; ++d) {
-        if (is_open && passes(a.corner(c), b.corner(d))) continue;
-        if (!passes(a.inner_corner(c), b.inner_corner(d))) return false;
-      }
-    }
-    return true;
+  [[nodiscard]] static bool all_segments(const std::vector<Point>& a, const std::vector<Point>& b, bool is_open,
+                                         const Passes& passes) {
+    return std::all_of(a.begin(), a.end(), [&](const Point& p) {
+      return std::all_of(b.begin(), b.end(),
+                         [&](const Point& q) { return (is_open && passes(p, q)) || passes(inner(p, a), inner(q, b)); });
+    });
   }
 
   /// Whether the relative interiors of segment and box meet.
@@ -482,7 +482,8 @@ class Answers final : public SightOracle::Questions {
   }
 
   /// Whether all segments go from one side of a polygon to the other strictly within its edges.
-  [[nodiscard]] static bool polygon_blocks(const AnyBox& a, const AnyBox& b, const std::vector<Point>& polygon) {
+  [[nodiscard]] static bool polygon_blocks(const std::vector<Point>& a, const std::vector<Point>& b,
+                                           const std::vector<Point>& polygon) {
     // All corners are in one plane: three that are not in line span it.
     std::size_t third = 0;
     std::size_t second = 0;

@@ -3,10 +3,10 @@
 ///
 /// A *patch* is a convex polygon by its corners, as a facet of a wall is, or a box: that of a point, or of a cell of a
 /// receiving volume. A polygon faces one side of its plane; a box may have a plane. *Occluders* stand between patches.
-/// Each pair gets one of four answers, in which "box" means the box around a polygon, too:
+/// Each pair gets one of four answers, in which the box of a polygon is the one around it:
 ///
 /// * `facing_away`: all corners of one patch lie on or behind the plane of the other patch.
-/// * `occluded`: one solid hides each box from the other. Every segment between the relative interiors of the boxes
+/// * `occluded`: one solid hides each patch from the other. Every segment between the relative interiors of the patches
 ///   passes through its interior. So a wall that ends flush with floor and ceiling hides what is behind it. Segments
 ///   that touch a solid only at the rim of both patches have measure zero: no light passes along them (occluded.hpp).
 /// * `clear`: no occluder reaches into the shaft between the two boxes, in front of both planes.
@@ -14,8 +14,8 @@
 ///
 /// A *solid* is a solid box, or the box that inscribed_box() finds inside a solid hull, or a larger box that several of
 /// these form together, as merged_boxes() finds it (both in solids.hpp). So a hull may hide more than the answers
-/// report. A polygon has no interior: it hides two boxes if every segment between their relative interiors passes from
-/// one side of its plane to the other, within its edges.
+/// report. A polygon has no interior: it hides two patches if every segment between their relative interiors passes
+/// from one side of its plane to the other, within its edges.
 ///
 /// Answers are exact for the floats given: these definitions alone determine the undecided pairs and their candidates.
 /// A pair that faces away or is occluded is never reported as `clear`. A pair that both faces away and is occluded gets

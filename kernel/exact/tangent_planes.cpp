@@ -31,6 +31,20 @@ int TangentPlanes::Tangent::side(const Vec3& x, float tolerance) const noexcept 
   return height_sign(p_, q_, r_, x, tolerance);
 }
 
+/// Whether a box lies behind for certain.
+bool TangentPlanes::Tangent::is_behind(const TurnedBox& box, float tolerance) const noexcept {
+  const Direction normal{normal_[0], normal_[1], normal_[2]};
+  double farthest = box.farthest(normal);
+  double size = 0;
+  double magnitude = 0;
+  for (unsigned k = 0; k != 3; ++k) {
+    farthest -= normal_[k] * p_[k] + double{tolerance} * std::fabs(normal_[k]);
+    magnitude += magnitude_[k];
+    size = std::max(size, std::fabs(double{p_[k]}));
+  }
+  return farthest < -0x1p-38 * magnitude * (size + box.size + double{tolerance});
+}
+
 void TangentPlanes::find(const Patch& a, const Patch& b) {
   planes_.clear();
   add_through_edges(a, b);
@@ -43,30 +57,42 @@ void TangentPlanes::add_through_edges(const Patch& edges, const Patch& other) {
     for (std::size_t j = i + 1; j != corners; ++j) {
       const bool is_edge = edges.is_box || j == i + 1 || (i == 0 && j + 1 == corners);
       if (!is_edge || edges.corners[i] == edges.corners[j]) continue;
-      for (const Vec3& third : other.corners) add(edges.corners[i], edges.corners[j], third, edges, other);
+      for (std::size_t k = 0; k != other.corners.size(); ++k) add(edges.corners, i, j, other.corners, k);
     }
   }
 }
 
-void TangentPlanes::add(const Vec3& p, const Vec3& q, const Vec3& r, const Patch& one, const Patch& other) {
+/// Adds the plane through corners i and j of one patch and corner k of the other, if it touches both.
+void TangentPlanes::add(std::span<const Vec3> one, std::size_t i, std::size_t j, std::span<const Vec3> other,
+                        std::size_t k) {
+  const Vec3& p = one[i];
+  const Vec3& q = one[j];
+  const Vec3& r = other[k];
+  if (r == p || r == q) return;  // as between neighbours
   const Tangent plane(p, q, r);
   int front = 0;
-  for (const std::span<const Vec3> corners : {one.corners, other.corners}) {
-    for (const Vec3& corner : corners) {
-      if (corner == p || corner == q || corner == r) continue;
-      const int side = plane.side(corner, 0);
-      if (side != 0 && side == -front) return;
-      if (side != 0) front = side;
-    }
+  const auto turns = [&](const Vec3& corner) {
+    const int side = plane.side(corner, 0);
+    if (side == 0) return false;
+    if (front == 0) front = side;
+    return side != front;
+  };
+  for (std::size_t c = 0; c != one.size(); ++c) {
+    if (c != i && c != j && turns(one[c])) return;
+  }
+  for (std::size_t c = 0; c != other.size(); ++c) {
+    if (c != k && turns(other[c])) return;
   }
   if (front == 0) return;
   planes_.push_back(front > 0 ? plane : Tangent(p, r, q));
 }
 
-bool TangentPlanes::separate(std::span<const Vec3> points, Contact contact, float tolerance) const noexcept {
+bool TangentPlanes::separate(const Points& points, Contact contact, float tolerance) const noexcept {
   const int most = contact == Contact::open ? 0 : -1;
   return std::any_of(planes_.begin(), planes_.end(), [&](const Tangent& plane) {
-    return std::all_of(points.begin(), points.end(), [&](const Vec3& x) { return plane.side(x, tolerance) <= most; });
+    if (points.around != nullptr && plane.is_behind(*points.around, tolerance)) return true;
+    return std::all_of(points.all.begin(), points.all.end(),
+                       [&](const Vec3& x) { return plane.side(x, tolerance) <= most; });
   });
 }
 

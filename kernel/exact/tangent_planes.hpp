@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "exact/turned_box.hpp"
 #include "shaftcull/bounds.hpp"
 #include "shaftcull/compiled.hpp"
 
@@ -28,9 +29,14 @@ class TangentPlanes {
   };
   void find(const Patch& a, const Patch& b);
 
+  /// Points, and a box around them, or null: the box spares a look at many points.
+  struct Points {
+    std::span<const Vec3> all;
+    const TurnedBox* around;
+  };
   /// Whether moving the coordinates of points by the tolerance at most can bring them all behind one of the planes;
   /// with open contact, on it or behind it.
-  [[nodiscard]] bool separate(std::span<const Vec3> points, Contact contact, float tolerance) const noexcept;
+  [[nodiscard]] bool separate(const Points& points, Contact contact, float tolerance) const noexcept;
 
  private:
   /// A plane through three points, whose normal (q − p) × (r − p) points to the front. Signs come from rounded numbers
@@ -41,6 +47,7 @@ class TangentPlanes {
 
     /// The sign of n · (x − p) − tolerance |n|₁.
     [[nodiscard]] int side(const Vec3& x, float tolerance) const noexcept;
+    [[nodiscard]] bool is_behind(const TurnedBox& box, float tolerance) const noexcept;
 
    private:
     Vec3 p_;
@@ -51,7 +58,7 @@ class TangentPlanes {
   };
 
   void add_through_edges(const Patch& edges, const Patch& other);
-  void add(const Vec3& p, const Vec3& q, const Vec3& r, const Patch& one, const Patch& other);
+  void add(std::span<const Vec3> one, std::size_t i, std::size_t j, std::span<const Vec3> other, std::size_t k);
 
   std::vector<Tangent> planes_;
 };

@@ -78,6 +78,8 @@ class Ladder {
   void select(const std::vector<std::uint32_t>& list, const std::vector<std::uint64_t>& of_rows,
               const std::vector<std::uint64_t>& of_columns, unsigned row, std::uint64_t lanes, bool packed,
               Selection& selection) const;
+  [[nodiscard]] std::uint64_t block_corners(const Side& rows, unsigned row, const Side& columns, Selection& solids,
+                                            Selection& polygons, std::uint64_t asked);
   [[nodiscard]] std::uint64_t drop_separate(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes,
                                             Selection& candidates);
   void write_undecided(const Level& here, const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes);

@@ -1,10 +1,57 @@
 // SPDX-License-Identifier: MIT
 /// Pairs of patches with corners: the shaft between two polygons is narrower than the one between the boxes around
 /// them.
+#include <span>
+
+#include "exact/blocking.hpp"
+#include "exact/polygon.hpp"
 #include "visibility/ladder_parts.hpp"
 #include "visibility/lanes.hpp"
 
 namespace shaftcull::kernel {
+/// Whether the box of a lane reaches into a solid; if that is flat, whether it touches it.
+bool Ladder::Side::reaches_into(unsigned lane, const float (&solid)[6]) const noexcept {
+  const bool is_flat = solid[0] == solid[3] || solid[1] == solid[4] || solid[2] == solid[5];
+  for (unsigned k = 0; k != 3; ++k) {
+    const float lo = box[k][lane];
+    const float hi = box[k + 3][lane];
+    if (is_flat ? solid[k] > hi || lo > solid[k + 3] : solid[k] >= hi || lo >= solid[k + 3]) return false;
+  }
+  return true;
+}
+
+/// Of a row of pairs that no occluder hides with all of their boxes: those that one hides between their corners. The
+/// shafts at hand are those between the boxes, and afterwards they are again.
+std::uint64_t Ladder::block_corners(const Side& rows, unsigned row, const Side& columns, Selection& solids,
+                                    Selection& polygons, std::uint64_t asked) {
+  const SiblingKernels& kernels = job_.kernels;
+  const PatchCorners a = rows.corners(row);
+  std::uint64_t occluded = 0;
+  kernels.keep(siblings_, job_.occluders.boxes.data(), polygons.list.data(), polygons.count, polygons.may.data(), asked,
+               polygons.kept.data());
+  for (std::size_t i = 0; i != polygons.count; ++i) {
+    for_each_lane(polygons.kept[i] & ~occluded, [&](unsigned lane) {
+      const std::span<const Vec3> polygon = job_.occluders.points_of(polygons.list[i]);
+      if (polygon_blocks(a.all(), columns.corners(lane).all(), polygon)) occluded |= bit(lane);
+    });
+  }
+  const std::uint64_t left = asked & ~occluded;
+  if (solids.count == 0 || left == 0) return occluded;
+  form_exchanged(rows, row, columns, left);
+  kernels.may_block(siblings_, job_.solids.data(), solids.list.data(), solids.count, solids.may.data(), left,
+                    solids.kept.data());
+  for (std::size_t i = 0; i != solids.count; ++i) {
+    const float(&row_of)[8] = job_.solids[solids.list[i]].face;
+    const float solid[6] = {row_of[0], row_of[1], row_of[2], row_of[3], row_of[4], row_of[5]};
+    if (!job_.solids_around_ends && rows.reaches_into(row, solid)) continue;
+    for_each_lane(solids.kept[i] & ~occluded, [&](unsigned lane) {
+      if (!job_.solids_around_ends && columns.reaches_into(lane, solid)) return;
+      if (box_blocks(a.all(), columns.corners(lane).all(), solid)) occluded |= bit(lane);
+    });
+  }
+  form(rows, row, columns, asked & ~occluded);
+  return occluded;
+}
 
 /// Of a row of pairs, in which the boxes around patches keep candidates: drops those that lie behind a plane that
 /// touches both patches. Returns the lanes in which some are left. If nobody wants candidates, one of them is enough.
@@ -23,13 +70,14 @@ std::uint64_t Ladder::drop_separate(const Side& rows, unsigned row, const Side& 
       if ((candidates.kept[i] & bit(lane)) == 0) continue;
       const std::uint32_t occluder = candidates.list[i];
       std::span<const Vec3> points = job_.occluders.points_of(occluder);
+      const TurnedBox* const around = points.empty() ? nullptr : &job_.turned_occluders[occluder];
       PatchCorners of_box;
       if (points.empty()) {
         const float(&box)[8] = job_.occluders.boxes[occluder].face;
         of_box = corners_of_box({{box[0], box[1], box[2]}, {box[3], box[4], box[5]}});
         points = of_box.all();
       }
-      if (tangents_.separate(points, job_.contact, job_.a.tolerance)) {
+      if (tangents_.separate({points, around}, job_.contact, job_.a.tolerance)) {
         candidates.kept[i] &= ~bit(lane);
         continue;
       }

@@ -13,13 +13,9 @@ namespace {
 /// Occluders with more points are looked up rather than tested again, and only by patches.
 constexpr std::size_t few_points = 64;
 
-double along(const Direction& direction, const Vec3& p) noexcept {
-  return direction[0] * p[0] + direction[1] * p[1] + direction[2] * p[2];
-}
-
 double farthest_of(std::span<const Vec3> points, const Direction& direction) noexcept {
-  double farthest = along(direction, points.front());
-  for (const Vec3& point : points.subspan(1)) farthest = std::max(farthest, along(direction, point));
+  double farthest = component(direction, points.front());
+  for (const Vec3& point : points.subspan(1)) farthest = std::max(farthest, component(direction, point));
   return farthest;
 }
 
@@ -43,7 +39,7 @@ FacingPlanes Ladder::Side::facing_planes_of(unsigned lane) const noexcept {
 /// The largest component of a corner of a lane along a direction, or more.
 double Ladder::Side::farthest(unsigned lane, const Direction& direction) const noexcept {
   if (are_patches) return farthest_of(corners(lane).all(), direction);
-  if (has_corners()) return set.tree.turned_groups()[first + lane].farthest(direction);
+  if (has_corners()) return set.tree.turned_groups()[first + lane].box.farthest(direction);
   double sum = 0;
   for (unsigned k = 0; k != 3; ++k) sum += std::max(direction[k] * box[k][lane], direction[k] * box[k + 3][lane]);
   return sum;

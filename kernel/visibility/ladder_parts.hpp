@@ -52,6 +52,8 @@ struct Ladder::Side {
 
   [[nodiscard]] bool has_planes() const noexcept { return planes.error != nullptr; }
   [[nodiscard]] bool has_corners() const noexcept { return set.tree.has_corners(); }
+  /// Whether lanes are boxes rather than something in them.
+  [[nodiscard]] bool are_boxes() const noexcept { return are_patches && !has_corners(); }
   /// Whether a patch is the box around it.
   [[nodiscard]] bool is_box(unsigned lane) const noexcept { return set.tree.is_box(first + lane); }
   /// The corners of a patch.
@@ -87,14 +89,15 @@ struct Ladder::Side {
   /// Lanes whose boxes lie on or behind all planes of a lane of another side. Of patches with corners, it may say no.
   [[nodiscard]] std::uint64_t behind_plane_of(const Side& other, unsigned lane, const SiblingKernels& kernels) const {
     if (!other.has_planes()) return 0;
-    return (other.decides_by_box() ? kernels.behind_plane : kernels.behind_group)(other.plane(lane), box, count);
+    return (other.are_boxes() ? kernels.behind_plane : kernels.behind_group)(other.plane(lane), box, count);
   }
   /// Lanes on or behind all of whose planes a box lies, likewise. Those that are not asked may be anything.
   [[nodiscard]] std::uint64_t with_behind(const float* faces, std::uint64_t asked,
                                           const SiblingKernels& kernels) const {
     if (!has_planes()) return 0;
-    return (decides_by_box() ? kernels.behind_planes : kernels.behind_groups)(planes, count, faces, asked);
+    return (are_boxes() ? kernels.behind_planes : kernels.behind_groups)(planes, count, faces, asked);
   }
+  [[nodiscard]] bool reaches_into(unsigned lane, const float (&solid)[6]) const noexcept;
   [[nodiscard]] FacingPlanes facing_planes_of(unsigned lane) const noexcept;
   [[nodiscard]] bool is_behind(unsigned lane, const Side& other, unsigned other_lane) const noexcept;
   [[nodiscard]] std::uint64_t corners_behind(const Side& other, unsigned lane, std::uint64_t asked,
@@ -102,7 +105,6 @@ struct Ladder::Side {
 
  private:
   [[nodiscard]] double farthest(unsigned lane, const Direction& direction) const noexcept;
-  [[nodiscard]] bool decides_by_box() const noexcept { return are_patches && !has_corners(); }
 };
 
 /// Of a row of pairs: the occluders of a list that it may have to do with, with which of its lanes, and what is found.

@@ -137,7 +137,10 @@ void Ladder::answer_patches(Level& here, const Side& rows, unsigned row, const S
   }
   select(here.lists.solids, here.row_solids, here.column_solids, row, lanes, packs, here.solids_of_row);
   select(here.lists.polygons, here.row_polygons, here.column_polygons, row, lanes, packs, here.polygons_of_row);
-  const std::uint64_t occluded = block(here.solids_of_row, here.polygons_of_row, left);
+  std::uint64_t occluded = block(here.solids_of_row, here.polygons_of_row, left);
+  if (have_corners) {
+    occluded |= block_corners(rows, row, columns, here.solids_of_row, here.polygons_of_row, left & ~occluded);
+  }
   decide(rows, row, columns, spread(occluded), Sight::occluded);
   left &= ~occluded;
   if (left == 0) return;

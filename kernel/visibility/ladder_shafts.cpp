@@ -32,12 +32,12 @@ void Ladder::form(const Side& fixed, unsigned lane, const float* const* boxes, c
   siblings_.solids_around_ends = job_.solids_around_ends;
 }
 
-/// Likewise, with lo and hi of groups exchanged, as may_block() wants them.
+/// Likewise, with lo and hi exchanged of what is not a box itself, as may_block() wants them.
 void Ladder::form_exchanged(const Side& fixed, unsigned lane, const Side& lanes, std::uint64_t asked) {
   const float* other[6];
   for (unsigned f = 0; f != 6; ++f) {
-    exchanged_[f] = fixed.box[fixed.are_patches ? f : (f + 3) % 6][lane];
-    other[f] = lanes.box[lanes.are_patches ? f : (f + 3) % 6];
+    exchanged_[f] = fixed.box[fixed.are_boxes() ? f : (f + 3) % 6][lane];
+    other[f] = lanes.box[lanes.are_boxes() ? f : (f + 3) % 6];
   }
   job_.kernels.form(exchanged_, other, lanes.count, asked, siblings_);
 }

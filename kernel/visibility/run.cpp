@@ -41,6 +41,7 @@ class Run {
       : deliver_(deliver),
         solids_(solid_rows_of(occluders)),
         clumps_(clumps_of(occluders)),
+        turned_occluders_(turned_boxes(a, b, occluders)),
         job_{sight_set(a, options.tolerance, largest_coordinate(a, b, occluders)),
              sight_set(b, options.tolerance, largest_coordinate(a, b, occluders)),
              is_of_one_set,
@@ -48,6 +49,7 @@ class Run {
              std::span(solids_->rows).first(options.solids_around_ends ? solids_->largest : solids_->rows.size()),
              *clumps_,
              solids_->clumps,
+             turned_occluders_,
              active_kernels().siblings,
              options.contact,
              options.solids_around_ends,
@@ -107,6 +109,20 @@ class Run {
 
   static float largest_coordinate(const PatchTree& a, const PatchTree& b, const OccluderData& occluders) noexcept {
     return std::max({a.largest_coordinate(), b.largest_coordinate(), occluders.largest_coordinate});
+  }
+
+  /// Boxes around the points of occluders: what boxes of patches leave open asks for them.
+  static std::vector<TurnedBox> turned_boxes(const PatchTree& a, const PatchTree& b, const OccluderData& occluders) {
+    std::vector<TurnedBox> boxes;
+    if (!a.has_corners() && !b.has_corners()) return boxes;
+    in_float_environment([&] {
+      boxes.reserve(occluders.size());
+      for (std::size_t i = 0; i != occluders.size(); ++i) {
+        const std::span<const Vec3> points = occluders.points_of(i);
+        boxes.push_back(points.empty() ? TurnedBox{} : turned_box(points));
+      }
+    });
+    return boxes;
   }
 
   [[nodiscard]] std::uint64_t total_pairs() const noexcept {
@@ -193,6 +209,7 @@ class Run {
   CallersModes modes_;
   MadeOnce<SolidRows>::Shared solids_;
   MadeOnce<BoxClumps>::Shared clumps_;
+  std::vector<TurnedBox> turned_occluders_;
   SightJob job_;
   Verdicts verdicts_;
   ProgressReports reports_;

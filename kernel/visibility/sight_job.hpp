@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "exact/turned_box.hpp"
 #include "kernels/kernel_table.hpp"
 #include "shaftcull/visibility.hpp"
 #include "visibility/occluders.hpp"
@@ -21,8 +22,9 @@ struct SightJob {
   bool is_of_one_set;
   const OccluderData& occluders;
   std::span<const BoxRow> solids;
-  const BoxClumps& occluder_clumps;  ///< of all occluders
-  const BoxClumps& solid_clumps;     ///< of all solids, and of more
+  const BoxClumps& occluder_clumps;             ///< of all occluders
+  const BoxClumps& solid_clumps;                ///< of all solids, and of more
+  std::span<const TurnedBox> turned_occluders;  ///< around the points of each, if patches have corners
   const SiblingKernels& kernels;
   Contact contact;
   bool solids_around_ends;

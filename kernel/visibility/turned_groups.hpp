@@ -5,19 +5,16 @@
 /// wall is found to lie in its own plane, or behind another one, as a whole.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <span>
 #include <vector>
 
 #include "exact/patch_plane.hpp"
+#include "exact/turned_box.hpp"
 #include "shaftcull/bounds.hpp"
 
 namespace shaftcull::kernel {
 
 class PatchTree;
-
-using Direction = std::array<double, 3>;
 
 /// The planes of patches: unit normals differ from `mean` by at most `spread` in length, and mean·p ≥ `least` for a
 /// corner p of each patch that is in all of its planes. If a patch has no plane, `spread` is infinite.
@@ -27,16 +24,10 @@ struct FacingPlanes {
   double spread;
 };
 
-/// All corners of a group of patches have components from lo to hi along three axes, which are orthonormal but for
-/// 2⁻⁴⁴; and the planes of the patches.
+/// A box around all corners of a group of patches, and the planes of the patches.
 struct TurnedGroup {
-  std::array<Direction, 3> axis;
-  Direction lo;
-  Direction hi;
+  TurnedBox box;
   FacingPlanes planes;
-
-  /// The largest component of a corner along a direction, or more.
-  [[nodiscard]] double farthest(const Direction& direction) const noexcept;
 };
 
 /// The planes of one patch.
