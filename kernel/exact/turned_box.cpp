@@ -11,9 +11,9 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-double dot(const Direction& a, const Direction& b) noexcept { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+double dot_product(const Direction& a, const Direction& b) noexcept { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-Direction cross(const Direction& a, const Direction& b) noexcept {
+Direction cross_product(const Direction& a, const Direction& b) noexcept {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
@@ -24,9 +24,9 @@ Direction difference(const Vec3& a, const Vec3& b) noexcept {
 /// What of a direction is across a normal, of unit length; 0 if that is so little that it would not be orthogonal.
 Direction across(const Direction& normal, const Direction& direction) noexcept {
   const Direction to = unit(direction);
-  const double share = dot(to, normal);
+  const double share = dot_product(to, normal);
   const Direction rest{to[0] - share * normal[0], to[1] - share * normal[1], to[2] - share * normal[2]};
-  return dot(rest, rest) > 1.0 / 64 ? unit(rest) : Direction{0, 0, 0};
+  return dot_product(rest, rest) > 1.0 / 64 ? unit(rest) : Direction{0, 0, 0};
 }
 
 TurnedBox box_along(const std::array<Direction, 3>& axis, std::span<const Vec3> points, std::size_t step) noexcept {
@@ -55,7 +55,7 @@ double component(const Direction& direction, const Vec3& point) noexcept {
 }
 
 Direction unit(const Direction& direction) noexcept {
-  const double length = std::sqrt(dot(direction, direction));
+  const double length = std::sqrt(dot_product(direction, direction));
   if (!(length > 0x1p-500)) return {0, 0, 0};
   return {direction[0] / length, direction[1] / length, direction[2] / length};
 }
@@ -63,7 +63,7 @@ Direction unit(const Direction& direction) noexcept {
 double TurnedBox::farthest(const Direction& direction) const noexcept {
   double sum = 0;
   for (std::size_t k = 0; k != 3; ++k) {
-    const double share = dot(direction, axis[k]);
+    const double share = dot_product(direction, axis[k]);
     sum += std::max(share * lo[k], share * hi[k]);
   }
   return sum;
@@ -76,15 +76,15 @@ TurnedBox turned_box(std::span<const Vec3> points, const Direction& normal, std:
   double smallest = infinity;
   const auto try_edge = [&](const Direction& edge) {
     const Direction one = across(normal, edge);
-    if (dot(one, one) == 0) return;
-    const std::array<Direction, 3> axis{one, cross(normal, one), normal};
+    if (dot_product(one, one) == 0) return;
+    const std::array<Direction, 3> axis{one, cross_product(normal, one), normal};
     const TurnedBox box = box_along(axis, points, step);
     const double area = (box.hi[0] - box.lo[0]) * (box.hi[1] - box.lo[1]);
     if (area >= smallest) return;
     smallest = area;
     best = axis;
   };
-  if (dot(normal, normal) != 0) {
+  if (dot_product(normal, normal) != 0) {
     for (const Direction& edge : edges) try_edge(edge);
     for (std::size_t k = 0; k != 3 && smallest == infinity; ++k) {
       Direction edge{};
@@ -96,13 +96,14 @@ TurnedBox turned_box(std::span<const Vec3> points, const Direction& normal, std:
 }
 
 TurnedBox turned_box(std::span<const Vec3> points) noexcept {
-  const auto length = [](const Direction& d) { return dot(d, d); };
+  const auto length = [](const Direction& d) { return dot_product(d, d); };
   const Vec3& p = points.front();
   const Vec3 q = farthest_point(points, [&](const Vec3& x) { return length(difference(x, p)); });
   const Direction diagonal = difference(q, p);
-  const Vec3 r = farthest_point(points, [&](const Vec3& x) { return length(cross(diagonal, difference(x, p))); });
+  const Vec3 r =
+      farthest_point(points, [&](const Vec3& x) { return length(cross_product(diagonal, difference(x, p))); });
   const Direction edges[] = {difference(r, p), difference(r, q), diagonal};
-  return turned_box(points, unit(cross(unit(diagonal), unit(difference(r, p)))), edges);
+  return turned_box(points, unit(cross_product(unit(diagonal), unit(difference(r, p)))), edges);
 }
 
 }  // namespace shaftcull::kernel
