@@ -729,7 +729,8 @@ enum {
 /// The name of an answer, for example "occluded"; "unknown" for any other number. Valid for ever. Never fails. O(1).
 SHAFTCULL_API const char* shaftcull_sight_name(shaftcull_sight sight);
 
-/// Patches, in a tree: boxes, each with or without a plane; a patch faces where its normal points. They never change.
+/// Patches, in a tree: convex polygons, or boxes, each with or without a plane. A patch faces where its normal points.
+/// They never change.
 typedef struct shaftcull_patches shaftcull_patches;
 
 /// Patches of a source of boxes. `plane_count` is 0, or there is a plane for each patch, which sees what is in front of
@@ -737,6 +738,14 @@ typedef struct shaftcull_patches shaftcull_patches;
 /// has no normal. O(n log n); holds about 100 bytes per patch. Freed by shaftcull_patches_free().
 SHAFTCULL_API shaftcull_status shaftcull_patches_create(const shaftcull_source* boxes, const shaftcull_plane* planes,
                                                         uint64_t plane_count, shaftcull_patches** patches);
+
+/// Patches that are convex polygons: patch i has the corners from first_corner[i] to before first_corner[i + 1], 3 to 8
+/// of them in order, and faces the side from which they run counter-clockwise. `corners` has 3 floats per corner,
+/// `first_corner` one number more than there are patches. SHAFTCULL_BAD_BOUND for the first patch with a corner that is
+/// not finite. O(n log n); holds about 150 bytes per patch of 4 corners. Freed by shaftcull_patches_free().
+SHAFTCULL_API shaftcull_status shaftcull_patches_create_polygons(const float* corners, uint64_t corner_count,
+                                                                 const uint64_t* first_corner, uint64_t patch_count,
+                                                                 shaftcull_patches** patches);
 
 /// Frees patches; does nothing for NULL.
 SHAFTCULL_API void shaftcull_patches_free(shaftcull_patches* patches);
@@ -866,13 +875,13 @@ typedef struct shaftcull_visibility_options {
   shaftcull_contact contact;            /* whether occluders that only touch stand between patches */
   uint32_t solids_around_ends;          /* 0: a solid that an end reaches into makes no pair occluded */
   uint32_t candidates;                  /* 1: undecided pairs come with candidates */
-  uint32_t reserved;                    /* 0 */
+  float tolerance;                      /* how far in front of a plane still counts as behind it (visibility.hpp) */
   shaftcull_resolve_callback resolve;   /* or NULL */
   shaftcull_progress_callback progress; /* or NULL */
   void* user;                           /* for these two */
 } shaftcull_visibility_options;
 
-/// 256 MB, open contact, solids around ends, candidates, no callbacks. Never fails.
+/// 256 MB, open contact, solids around ends, candidates, no tolerance, no callbacks. Never fails.
 SHAFTCULL_API shaftcull_visibility_options shaftcull_default_visibility_options(void);
 
 /* For the functions below: the pairs are those of a patch of `a` and a patch of `b`; if `b` is NULL, each two patches

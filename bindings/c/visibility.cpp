@@ -100,11 +100,11 @@ constexpr const char* sight_enumerators =
 VisibilityOptions as_options(const shaftcull_visibility_options* options) {
   VisibilityOptions out;
   if (options == nullptr) return out;
-  if (options->reserved != 0) refuse("options.reserved is not 0");
   out.memory = as_size(options->memory, "options.memory");
   out.contact = as_contact(options->contact);
   out.solids_around_ends = as_bool(options->solids_around_ends, "options.solids_around_ends");
   out.candidates = as_bool(options->candidates, "options.candidates");
+  out.tolerance = options->tolerance;
   if (options->resolve != nullptr) {
     out.resolve = [resolve = options->resolve, user = options->user](const UndecidedPairs& undecided,
                                                                      std::span<Sight> verdict) {
@@ -184,6 +184,7 @@ shaftcull_visibility_options shaftcull_default_visibility_options() {
   out.contact = static_cast<shaftcull_contact>(options.contact);
   out.solids_around_ends = options.solids_around_ends ? 1 : 0;
   out.candidates = options.candidates ? 1 : 0;
+  out.tolerance = options.tolerance;
   return out;
 }
 
@@ -197,6 +198,18 @@ shaftcull_status shaftcull_patches_create(const shaftcull_source* boxes, const s
     shaftcull_patches*& out = given(patches, "patches");
     const BoxesInStreams all(boxes, "boxes");
     out = new shaftcull_patches{PatchSet(all.view(), as_planes(planes, plane_count, "planes"))};
+  });
+}
+
+shaftcull_status shaftcull_patches_create_polygons(const float* corners, uint64_t corner_count,
+                                                   const uint64_t* first_corner, uint64_t patch_count,
+                                                   shaftcull_patches** patches) {
+  return guarded([&] {
+    shaftcull_patches*& out = given(patches, "patches");
+    const auto points = as_vectors(corners, corner_count, "corners");
+    const std::vector<std::size_t> offsets = as_offsets(first_corner, patch_count, "first_corner");
+    if (offsets.empty() && !points.empty()) refuse("first_corner is NULL; it must say which corners belong together");
+    out = new shaftcull_patches{PatchSet(points, offsets)};
   });
 }
 

@@ -1129,6 +1129,16 @@ static void visibility(void) {
   const shaftcull_source bad = shaftcull_boxes(reversed, 2);
   FAILS(shaftcull_patches_create(&bad, NULL, 0, &none), SHAFTCULL_BAD_BOUND, "1");
   CHECK(shaftcull_error_position() == 1 && none == NULL);
+  shaftcull_patches* leaning = NULL;
+  OK(shaftcull_patches_create_polygons(square, 4, first_of_square, 1, &leaning));
+  OK(shaftcull_patches_describe(leaning, &patches));
+  CHECK(patches.count == 1 && patches.order[0] == 0);
+  shaftcull_patches_free(leaning);
+  REFUSED(shaftcull_patches_create_polygons(NULL, 4, first_of_square, 1, &none), "corners is NULL");
+  REFUSED(shaftcull_patches_create_polygons(square, 4, NULL, 1, &none), "first_corner is NULL");
+  REFUSED(shaftcull_patches_create_polygons(square, 4, NULL, 0, &none), "first_corner is NULL");
+  REFUSED(shaftcull_patches_create_polygons(square, 3, first_of_square, 1, &none), "end with the number of corners, 3");
+  REFUSED(shaftcull_patches_create_polygons(square, 4, first_of_square, 1, NULL), "patches is NULL");
   const shaftcull_source ball_source = shaftcull_spheres(balls, 2);
   REFUSED(shaftcull_patches_create(&ball_source, NULL, 0, &none), "boxes is a source of other bounds");
 
@@ -1239,8 +1249,8 @@ static void visibility(void) {
   options.solids_around_ends = 2;
   REFUSED(shaftcull_visibility(a, b, occluders, &options, NULL, NULL, &counts), "options.solids_around_ends = 2");
   options = shaftcull_default_visibility_options();
-  options.reserved = 1;
-  REFUSED(shaftcull_visibility(a, b, occluders, &options, NULL, NULL, &counts), "options.reserved");
+  options.tolerance = -1;
+  REFUSED(shaftcull_visibility(a, b, occluders, &options, NULL, NULL, &counts), "tolerance is -1");
   CHECK(strcmp(shaftcull_sight_name(SHAFTCULL_SIGHT_CLEAR), "clear") == 0);
   CHECK(strcmp(shaftcull_sight_name(SHAFTCULL_SIGHT_FACING_AWAY), "facing_away") == 0);
   CHECK(strcmp(shaftcull_sight_name(4), "unknown") == 0);

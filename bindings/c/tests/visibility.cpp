@@ -286,6 +286,36 @@ TEST(CVisibility, RefusalsSpeakOfWhatTheCallerWrote) {
   EXPECT_STREQ(shaftcull_error_message(), "boxes is a source of other bounds; this call takes boxes");
 }
 
+TEST(CVisibility, PolygonsAndATolerance) {
+  // Two triangles in one plane, and one 0.25 in front of it.
+  const std::vector<float> corners{0, 0, 0, 1, 0, 1, 1,     1, 1, 3,     0, 3, 4,    0,
+                                   4, 4, 1, 4, 6, 0, 6.25F, 7, 0, 7.25F, 7, 1, 7.25F};
+  const std::vector<std::uint64_t> first{0, 3, 6, 9};
+  const auto patches = made<PatchesHandle>(shaftcull_patches_create_polygons, corners.data(), std::uint64_t{9},
+                                           first.data(), std::uint64_t{3});
+  const auto occluders = made<OccludersHandle>(shaftcull_occluders_create);
+  shaftcull_visibility_options options = shaftcull_default_visibility_options();
+  EXPECT_EQ(options.tolerance, 0.0F);
+  shaftcull_sight_counts counts{};
+  // The third is in front of the others, and these are behind it.
+  ASSERT_EQ(shaftcull_visibility(patches.get(), nullptr, occluders.get(), &options, nullptr, nullptr, &counts),
+            SHAFTCULL_OK);
+  EXPECT_EQ(counts.facing_away, 3U);
+  const auto lower = made<PatchesHandle>(shaftcull_patches_create_polygons, corners.data(), std::uint64_t{3},
+                                         first.data(), std::uint64_t{1});
+  const shaftcull_box point{{6, 0, 6.25F}, {6, 0, 6.25F}};
+  const shaftcull_source source = shaftcull_boxes(&point, 1);
+  const auto receiver = made<PatchesHandle>(shaftcull_patches_create, &source,
+                                            static_cast<const shaftcull_plane*>(nullptr), std::uint64_t{0});
+  for (const float tolerance : {0.0F, 0.0625F, 0.125F}) {
+    options.tolerance = tolerance;
+    ASSERT_EQ(shaftcull_visibility(lower.get(), receiver.get(), occluders.get(), &options, nullptr, nullptr, &counts),
+              SHAFTCULL_OK);
+    EXPECT_EQ(counts.facing_away, tolerance == 0.125F ? 1U : 0U);
+    EXPECT_EQ(counts.clear, tolerance == 0.125F ? 0U : 1U);
+  }
+}
+
 TEST(CVisibility, SolidsAreMergedAndInscribedAsInCpp) {
   Random random(1803);
   std::vector<Box> boxes;
