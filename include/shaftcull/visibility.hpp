@@ -254,9 +254,10 @@ struct VisibilityOptions {
   /// Whether undecided pairs come with candidates.
   bool candidates = true;
   /// Limit in bytes for answers under way and for pairs of groups that wait for answers. Not included: the sets, the
-  /// occluders, memory that callbacks keep, and, per thread, about 2 MB plus 200 bytes per occluder. A single pair and
-  /// its candidates may exceed the limit. If the limit is small for the number of threads, pairs of groups are answered
-  /// in smaller parts, and where even these do not fit, on one thread.
+  /// occluders, memory that callbacks keep, and, per thread, about 2 MB plus 200 bytes per occluder, and
+  /// once, 180 bytes per occluder if patches have corners. A single pair and its candidates may exceed the limit. If
+  /// the limit is small for the number of threads, pairs of groups are answered in smaller parts, and where even these
+  /// do not fit, on one thread.
   std::size_t memory = std::size_t{256} << 20;
   /// Receives undecided pairs before delivery, and may give the final answer for each, for example with rays.
   /// verdict[i] is the answer for pair i, at first `undecided`. Many threads call `resolve` at once. Answers do not
