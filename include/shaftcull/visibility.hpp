@@ -56,6 +56,7 @@
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/export.hpp"
 #include "shaftcull/function_ref.hpp"
+#include "shaftcull/solids.hpp"
 #include "shaftcull/streams.hpp"
 #include "shaftcull/triangles.hpp"
 
@@ -156,6 +157,10 @@ class SHAFTCULL_EXPORT Occluders {
   /// other and face alike, O(n log n).
   /// Triangles make no pair `occluded`.
   std::size_t add_triangles(const TriangleView& triangles, std::span<const std::size_t> first_triangle = {});
+  /// Adds what find_solids() (solids.hpp) found in triangles that are added otherwise. It makes pairs `occluded` as
+  /// hulls, polygons and solids do, but is no occluder itself: it has no number, and pairs are `clear` without it. A
+  /// hull with more than 32 corners makes pairs `occluded` by a box inside 32 of them.
+  void add_found(const FoundSolids& found);
 
   /// The number of occluders.
   [[nodiscard]] std::size_t size() const noexcept;

@@ -69,13 +69,19 @@ void Ladder::descend(std::uint32_t a, std::uint32_t b, std::size_t depth) {
 
 /// Where lists are of all occluders, leaves out those that no lane's shafts with a group come near.
 void Ladder::leave_out_far(SightLists& lists, const Side& lanes, const Side& group) {
-  const BoxClumps& clumps = job_.occluder_clumps;
-  if (clumps.around.empty() || lists.candidates.size() != job_.occluders.size()) return;
+  const OccluderData& occluders = job_.occluders;
+  const auto are_all = [](const std::vector<std::uint32_t>& list, std::size_t all, const BoxClumps& clumps) {
+    return !clumps.around.empty() && list.size() == all;
+  };
+  if (!are_all(lists.candidates, occluders.size(), job_.occluder_clumps) &&
+      !are_all(lists.polygons, occluders.polygons.size(), job_.polygon_clumps)) {
+    return;
+  }
   const std::uint64_t asked = first_lanes(lanes.count);
   form(group, 0, lanes, asked);
   siblings_.contact = Contact::closed;  // a bound may touch them in a face of its clump
-  leave_out_far(lists.candidates, job_.occluders.size(), clumps, asked);
-  std::erase_if(lists.polygons, [&](std::uint32_t i) { return (near_[i / 64] & bit(i % 64)) == 0; });
+  leave_out_far(lists.candidates, occluders.size(), job_.occluder_clumps, asked);
+  leave_out_far(lists.polygons, occluders.polygons.size(), job_.polygon_clumps, asked);
   leave_out_far(lists.solids, job_.solids.size(), job_.solid_clumps, asked);
 }
 
@@ -145,7 +151,7 @@ std::uint64_t Ladder::compare_with_group(Level& level, const Side& lanes, const 
   if (lanes.has_planes()) any = drop_behind(level, lanes, kept);
   if (!has_planes()) answer(left & ~any & ~any_of(may.data(), may.size()), Sight::clear);
   if (left == 0) return 0;
-  keep(occluders.boxes, lists.polygons, lanes_are_rows ? level.row_polygons : level.column_polygons);
+  keep(occluders.polygons, lists.polygons, lanes_are_rows ? level.row_polygons : level.column_polygons);
   return left;
 }
 
@@ -231,7 +237,7 @@ void Ladder::go_into_itself(std::size_t depth, const Side& rows, unsigned row) {
   };
   form(rows, row, rows, bit(row));
   pass_on(job_.occluders.boxes, lists.candidates, below.candidates, false);
-  pass_on(job_.occluders.boxes, lists.polygons, below.polygons, false);
+  pass_on(job_.occluders.polygons, lists.polygons, below.polygons, false);
   form_exchanged(rows, row, rows, bit(row));
   pass_on(job_.solids, lists.solids, below.solids, true);
   descend(rows.first + row, rows.first + row, depth + 1);

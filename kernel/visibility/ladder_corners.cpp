@@ -27,11 +27,11 @@ std::uint64_t Ladder::block_corners(const Side& rows, unsigned row, const Side& 
   const SiblingKernels& kernels = job_.kernels;
   const PatchCorners a = rows.corners(row);
   std::uint64_t occluded = 0;
-  kernels.keep(siblings_, job_.occluders.boxes.data(), polygons.list.data(), polygons.count, polygons.may.data(), asked,
-               polygons.kept.data());
+  kernels.keep(siblings_, job_.occluders.polygons.data(), polygons.list.data(), polygons.count, polygons.may.data(),
+               asked, polygons.kept.data());
   for (std::size_t i = 0; i != polygons.count; ++i) {
     for_each_lane(polygons.kept[i] & ~occluded, [&](unsigned lane) {
-      const std::span<const Vec3> polygon = job_.occluders.points_of(polygons.list[i]);
+      const std::span<const Vec3> polygon = job_.occluders.polygon(polygons.list[i]);
       if (polygon_blocks(a.all(), columns.corners(lane).all(), polygon)) occluded |= bit(lane);
     });
   }

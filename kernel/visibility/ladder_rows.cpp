@@ -64,11 +64,11 @@ void Ladder::answer_row(std::size_t depth, const Side& rows, unsigned row, const
   if (lanes == 0) return;
 
   select(here.lists.candidates, here.row_candidates, here.column_candidates, row, lanes, false, candidates);
-  const auto keep = [&](Selection& selection) {
-    return kernels.keep(siblings_, occluders.boxes.data(), selection.list.data(), selection.count, selection.may.data(),
-                        lanes, selection.kept.data());
+  const auto keep = [&](const std::vector<BoxRow>& boxes, Selection& selection) {
+    return kernels.keep(siblings_, boxes.data(), selection.list.data(), selection.count, selection.may.data(), lanes,
+                        selection.kept.data());
   };
-  const std::uint64_t undecided = keep(candidates);
+  const std::uint64_t undecided = keep(occluders.boxes, candidates);
   std::uint64_t clear = has_planes() ? 0 : lanes & ~undecided;
   const auto tell_clear = [&](std::uint64_t which) {
     decide(rows, row, columns, which, Sight::clear);
@@ -77,7 +77,7 @@ void Ladder::answer_row(std::size_t depth, const Side& rows, unsigned row, const
   if (solids.count == 0) tell_clear(std::exchange(clear, 0));
   if (lanes == 0) return;
 
-  keep(polygons);
+  keep(occluders.polygons, polygons);
   if (solids.count != 0) {
     form_exchanged(rows, row, columns, lanes);
     kernels.may_block(siblings_, job_.solids.data(), solids.list.data(), solids.count, solids.may.data(), lanes,

@@ -50,13 +50,13 @@ std::uint64_t Ladder::occluded_by_polygons(const std::uint32_t* polygons, std::s
   for (std::size_t i = 0; i != count && (asked & ~occluded) != 0; ++i) {
     const std::uint64_t may = asked & ~occluded & (may_block == nullptr ? ~std::uint64_t{0} : may_block[i]);
     std::uint64_t met = 0;
-    job_.kernels.keep(siblings_, job_.occluders.boxes.data(), &polygons[i], 1, nullptr, may, &met);
+    job_.kernels.keep(siblings_, job_.occluders.polygons.data(), &polygons[i], 1, nullptr, may, &met);
     for_each_lane(met, [&](unsigned lane) {
       float other[6];
       for (unsigned f = 0; f != 6; ++f) other[f] = siblings_.other[f][lane];
       // The relative interior of a patch may lie in the surface of its group.
       const auto& blocks = siblings_.are_groups ? polygon_blocks_closed : static_cast<BetweenHulls&>(polygon_blocks);
-      if (blocks(fixed.get(), BoxCorners(other).get(), job_.occluders.points_of(polygons[i]))) occluded |= bit(lane);
+      if (blocks(fixed.get(), BoxCorners(other).get(), job_.occluders.polygon(polygons[i]))) occluded |= bit(lane);
     });
   }
   return occluded;

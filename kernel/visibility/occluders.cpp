@@ -7,8 +7,10 @@
 #include <string>
 #include <tuple>
 
+#include "shaftcull/hull.hpp"
 #include "shaftcull/solids.hpp"
 #include "shaftcull/visibility.hpp"
+#include "solids/bodies.hpp"
 #include "support/arguments.hpp"
 #include "support/fail.hpp"
 #include "support/float_environment.hpp"
@@ -43,6 +45,7 @@ class Addition {
         triangles_(data.triangles.size()),
         solids_(data.solids.size()),
         polygons_(data.polygons.size()),
+        polygon_corners_(data.polygon_corners.size()),
         largest_coordinate_(data.largest_coordinate) {}
   Addition(const Addition&) = delete;
   Addition& operator=(const Addition&) = delete;
@@ -55,38 +58,59 @@ class Addition {
     shorten(data_.triangles, triangles_);
     shorten(data_.solids, solids_);
     shorten(data_.polygons, polygons_);
+    shorten(data_.polygon_corners, polygon_corners_);
+    shorten(data_.first_polygon_corner, polygons_ + 1);
     data_.largest_coordinate = largest_coordinate_;
   }
 
   /// An occluder; its points and triangles were added before.
   void add(const Box& box) {
-    kernel::BoxRow row{};
-    for (std::size_t k = 0; k != 3; ++k) {
-      row.face[k] = box.lo[k];
-      row.face[k + 3] = box.hi[k];
-      data_.largest_coordinate = std::max({data_.largest_coordinate, std::fabs(box.lo[k]), std::fabs(box.hi[k])});
-    }
     if (data_.boxes.size() == std::numeric_limits<std::uint32_t>::max()) {
       kernel::fail(InvalidArgument("there are 2^32 - 1 occluders already; no more can be numbered"));
     }
-    data_.boxes.push_back(row);
+    data_.boxes.push_back(row_of(box));
     data_.first_point.push_back(data_.points.size());
     data_.first_triangle.push_back(data_.triangles.size());
   }
   void add_point(const Vec3& point) { data_.points.push_back(point); }
+  void add_points(std::span<const Vec3> points) {
+    data_.points.insert(data_.points.end(), points.begin(), points.end());
+  }
   void add_triangle(std::uint32_t triangle) { data_.triangles.push_back(triangle); }
-  void add_polygon() { data_.polygons.push_back({static_cast<std::uint32_t>(data_.boxes.size() - 1)}); }
-  void add_solid(const Box& solid) { data_.solids.push_back(solid); }
+  /// A polygon that makes pairs occluded; it may be an occluder or not.
+  void add_polygon(const Box& box, std::span<const Vec3> corners) {
+    if (data_.polygons.size() == std::numeric_limits<std::uint32_t>::max()) {
+      kernel::fail(InvalidArgument("there are 2^32 - 1 polygons already; no more can be numbered"));
+    }
+    data_.polygons.push_back(row_of(box));
+    data_.polygon_corners.insert(data_.polygon_corners.end(), corners.begin(), corners.end());
+    data_.first_polygon_corner.push_back(data_.polygon_corners.size());
+  }
+  /// A solid box, likewise.
+  void add_solid(const Box& solid) {
+    note(solid);
+    data_.solids.push_back(solid);
+  }
 
   /// Returns the number of the first one that was added.
   std::size_t keep() noexcept {
     is_kept_ = true;
     if (data_.solids.size() != solids_) data_.solid_rows.forget();
     if (data_.size() != size_) data_.clumps.forget();
+    if (data_.polygons.size() != polygons_) data_.polygon_clumps.forget();
     return size_;
   }
 
  private:
+  void note(const Box& box) noexcept {
+    for (const Vec3* corner : {&box.lo, &box.hi}) {
+      for (const float x : *corner) data_.largest_coordinate = std::max(data_.largest_coordinate, std::fabs(x));
+    }
+  }
+  kernel::BoxRow row_of(const Box& box) noexcept {
+    note(box);
+    return {{box.lo[0], box.lo[1], box.lo[2], box.hi[0], box.hi[1], box.hi[2], 0, 0}};
+  }
   template <class T>
   static void shorten(std::vector<T>& list, std::size_t size) noexcept {
     if (size < list.size()) list.erase(list.begin() + static_cast<std::ptrdiff_t>(size), list.end());
@@ -98,6 +122,7 @@ class Addition {
   std::size_t triangles_;
   std::size_t solids_;
   std::size_t polygons_;
+  std::size_t polygon_corners_;
   float largest_coordinate_;
   bool is_kept_ = false;
 };
@@ -119,20 +144,18 @@ std::vector<Box> usable_boxes(std::span<const Box> boxes, const char* noun) {
   return {boxes.begin(), boxes.end()};
 }
 
-/// Adds the corners of part after part, and calls added(corners) after each.
-template <class Added>
-void add_parts(Addition& addition, std::span<const Vec3> corners, std::span<const std::size_t> first, const char* noun,
-               std::size_t fewest, std::size_t most, const Added& added) {
+/// Calls add(box around them, corners) for the corners of part after part.
+template <class Add>
+void add_parts(std::span<const Vec3> corners, std::span<const std::size_t> first, const char* noun, std::size_t fewest,
+               std::size_t most, const Add& add) {
   kernel::require_corner_lists(corners, first, noun, fewest, most);
   for (std::size_t i = 0; i + 1 < first.size(); ++i) {
     const std::span<const Vec3> part = corners.subspan(first[i], first[i + 1] - first[i]);
     PointBox around;
     for (const Vec3& corner : part) {
       around.add(corner);
-      addition.add_point(corner);
     }
-    addition.add(around.box);
-    added(part);
+    add(around.box, part);
   }
 }
 
@@ -212,6 +235,10 @@ kernel::MadeOnce<kernel::BoxClumps>::Shared kernel::clumps_of(const OccluderData
   return occluders.clumps.of([&] { return box_clumps(occluders.boxes); });
 }
 
+kernel::MadeOnce<kernel::BoxClumps>::Shared kernel::polygon_clumps_of(const OccluderData& occluders) {
+  return occluders.polygon_clumps.of([&] { return box_clumps(occluders.polygons); });
+}
+
 Occluders::Occluders() : data_(std::make_unique<kernel::OccluderData>()) {}
 Occluders::Occluders(const Occluders& other) : data_(std::make_unique<kernel::OccluderData>(other.data())) {}
 Occluders::Occluders(Occluders&& other) noexcept = default;
@@ -264,8 +291,12 @@ std::size_t Occluders::add_solids(const BoxView& boxes) {
 std::size_t Occluders::add_solid_hulls(std::span<const Vec3> corners, std::span<const std::size_t> first_corner) {
   return kernel::in_float_environment([&] {
     Addition addition(own());
-    add_parts(addition, corners, first_corner, "hull", 4, 32,
-              [&](std::span<const Vec3> hull) { addition.add_solid(inscribed_box(hull)); });
+    add_parts(corners, first_corner, "hull", 4, ConvexHull::max_vertices,
+              [&](const Box& box, std::span<const Vec3> hull) {
+                addition.add_points(hull);
+                addition.add(box);
+                addition.add_solid(inscribed_box(hull));
+              });
     return addition.keep();
   });
 }
@@ -273,9 +304,27 @@ std::size_t Occluders::add_solid_hulls(std::span<const Vec3> corners, std::span<
 std::size_t Occluders::add_polygons(std::span<const Vec3> corners, std::span<const std::size_t> first_corner) {
   return kernel::in_float_environment([&] {
     Addition addition(own());
-    add_parts(addition, corners, first_corner, "polygon", 3, kernel::any_number,
-              [&](std::span<const Vec3> /*polygon*/) { addition.add_polygon(); });
+    add_parts(corners, first_corner, "polygon", 3, kernel::any_number,
+              [&](const Box& box, std::span<const Vec3> polygon) {
+                addition.add_points(polygon);
+                addition.add(box);
+                addition.add_polygon(box, polygon);
+              });
     return addition.keep();
+  });
+}
+
+void Occluders::add_found(const FoundSolids& found) {
+  kernel::in_float_environment([&] {
+    Addition addition(own());
+    add_parts(found.hull_corners, found.first_hull_corner, "hull", 4, kernel::any_number,
+              [&](const Box& /*box*/, std::span<const Vec3> hull) {
+                addition.add_solid(inscribed_box(kernel::spread_points(hull, ConvexHull::max_vertices)));
+              });
+    add_parts(found.polygon_corners, found.first_polygon_corner, "polygon", 3, kernel::any_number,
+              [&](const Box& box, std::span<const Vec3> polygon) { addition.add_polygon(box, polygon); });
+    for (const Box& box : usable_boxes(found.inner_boxes, "box")) addition.add_solid(box);
+    addition.keep();
   });
 }
 

@@ -16,11 +16,6 @@
 
 namespace shaftcull::kernel {
 
-/// A flat convex polygon that makes pairs occluded.
-struct PolygonOccluder {
-  std::uint32_t occluder;  ///< its number, whose points are its corners
-};
-
 /// The boxes that make pairs occluded: solids, and what they are together.
 struct SolidRows {
   std::vector<BoxRow> rows;
@@ -74,18 +69,27 @@ struct OccluderData {
   std::vector<std::uint32_t> triangles;
   std::vector<std::size_t> first_triangle{0};
 
+  // Blockers, numbered apart: what was found in triangles is no occluder itself.
+
   /// Boxes that are solid, as they were given or found in hulls.
   std::vector<Box> solids;
-  std::vector<PolygonOccluder> polygons;
+  /// Of each polygon that makes pairs occluded, the box around it.
+  std::vector<BoxRow> polygons;
+  std::vector<Vec3> polygon_corners;
+  std::vector<std::size_t> first_polygon_corner{0};
   float largest_coordinate = 0;
 
   /// Made of the above.
   MadeOnce<SolidRows> solid_rows;
   MadeOnce<BoxClumps> clumps;
+  MadeOnce<BoxClumps> polygon_clumps;
 
   [[nodiscard]] std::size_t size() const noexcept { return boxes.size(); }
   [[nodiscard]] std::span<const Vec3> points_of(std::size_t i) const noexcept {
     return {points.data() + first_point[i], first_point[i + 1] - first_point[i]};
+  }
+  [[nodiscard]] std::span<const Vec3> polygon(std::size_t i) const noexcept {
+    return {polygon_corners.data() + first_polygon_corner[i], first_polygon_corner[i + 1] - first_polygon_corner[i]};
   }
 };
 
@@ -93,5 +97,7 @@ struct OccluderData {
 [[nodiscard]] MadeOnce<SolidRows>::Shared solid_rows_of(const OccluderData& occluders);
 /// Clumps of `occluders.boxes`, likewise.
 [[nodiscard]] MadeOnce<BoxClumps>::Shared clumps_of(const OccluderData& occluders);
+/// Clumps of `occluders.polygons`, likewise.
+[[nodiscard]] MadeOnce<BoxClumps>::Shared polygon_clumps_of(const OccluderData& occluders);
 
 }  // namespace shaftcull::kernel

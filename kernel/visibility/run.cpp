@@ -41,6 +41,7 @@ class Run {
       : deliver_(deliver),
         solids_(solid_rows_of(occluders)),
         clumps_(clumps_of(occluders)),
+        polygon_clumps_(polygon_clumps_of(occluders)),
         turned_occluders_(turned_boxes(a, b, occluders)),
         job_{sight_set(a, options.tolerance, largest_coordinate(a, b, occluders)),
              sight_set(b, options.tolerance, largest_coordinate(a, b, occluders)),
@@ -48,6 +49,7 @@ class Run {
              occluders,
              std::span(solids_->rows).first(options.solids_around_ends ? solids_->largest : solids_->rows.size()),
              *clumps_,
+             *polygon_clumps_,
              solids_->clumps,
              turned_occluders_,
              active_kernels().siblings,
@@ -73,7 +75,7 @@ class Run {
     };
     number(all.lists.candidates, job_.occluders.size());
     number(all.lists.solids, job_.solids.size());
-    for (const PolygonOccluder& polygon : job_.occluders.polygons) all.lists.polygons.push_back(polygon.occluder);
+    number(all.lists.polygons, job_.occluders.polygons.size());
 
     const auto leave = [&](PairBlockTask&& task) { add(std::move(task)); };
     const auto is_full = [&] {
@@ -209,6 +211,7 @@ class Run {
   CallersModes modes_;
   MadeOnce<SolidRows>::Shared solids_;
   MadeOnce<BoxClumps>::Shared clumps_;
+  MadeOnce<BoxClumps>::Shared polygon_clumps_;
   std::vector<TurnedBox> turned_occluders_;
   SightJob job_;
   Verdicts verdicts_;

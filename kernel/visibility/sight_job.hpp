@@ -23,6 +23,7 @@ struct SightJob {
   const OccluderData& occluders;
   std::span<const BoxRow> solids;
   const BoxClumps& occluder_clumps;             ///< of all occluders
+  const BoxClumps& polygon_clumps;              ///< of all polygons
   const BoxClumps& solid_clumps;                ///< of all solids, and of more
   std::span<const TurnedBox> turned_occluders;  ///< around the points of each, if patches have corners
   const SiblingKernels& kernels;
@@ -37,7 +38,7 @@ struct SightJob {
   [[nodiscard]] std::uint64_t pairs(std::uint32_t a_group, std::uint32_t b_group) const noexcept;
 };
 
-/// What may stand between two groups, by numbers that ascend: of occluders, or of merged solids.
+/// What may stand between two groups, by numbers that ascend: of occluders, of merged solids, or of polygons.
 struct SightLists {
   std::vector<std::uint32_t> candidates;
   std::vector<std::uint32_t> solids;

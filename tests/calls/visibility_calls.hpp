@@ -80,6 +80,15 @@ inline void add_visibility_calls(CallTable& table) {
   table.add("merged_boxes", false, [all](AnswerWords& words) {
     for (const Box& box : merged_boxes(all->boxes)) note(words, box);
   });
+  table.add("find_solids", false, [all, &triangles = table.triangle_stream](AnswerWords& words) {
+    TriangleView few = triangles.view();
+    few.count = std::min<std::size_t>(few.count, 100);
+    const FoundSolids found = find_solids(few);
+    for (const Vec3& corner : found.polygon_corners) note(words, Box{corner, corner});
+    Occluders occluders;
+    occluders.add_found(found);
+    words.push_back(count_visibility(all->patches, occluders).occluded);
+  });
   table.add("inscribed_box", false, [all](AnswerWords& words) { note(words, inscribed_box(all->hull)); });
   table.add("count_visibility", false, [all](AnswerWords& words) {
     const SightCounts counts = count_visibility(all->patches, all->occluders);

@@ -13,6 +13,7 @@
 #include "oracle/sight_scene.hpp"
 #include "sanitizers.hpp"
 #include "shaftcull/shaftcull.hpp"
+#include "solids/meshes.hpp"
 
 namespace shaftcull {
 namespace {
@@ -198,11 +199,16 @@ TEST(VisibilityMemory, ThatRunsOutLeavesNothingBehind) {
   const PatchSet a = first_set(scene);
   const PatchSet b = second_set(scene);
   const Occluders occluders = occluders_of(scene);
+  Polygons polygons;
+  polygons.add_box({{0, 0, 0}, {1, 1, 1}});
+  polygons.add_l_block(3, 0, 0, 1);
+  const TriangleStream mesh{std::span<const Triangle>(polygons.triangles)};
   VisibilityOptions options;
   with_threads(1, [&] {
     expect_nothing_left([&] { static_cast<void>(first_set(scene)); });
     expect_nothing_left([&] { static_cast<void>(occluders_of(scene)); });
     expect_nothing_left([&] { static_cast<void>(merged_boxes(scene.solids)); });
+    expect_nothing_left([&] { static_cast<void>(find_solids(mesh)); });
     expect_nothing_left([&] { static_cast<void>(count_visibility(a, b, occluders, options)); });
     expect_nothing_left([&] { static_cast<void>(count_visibility(a, occluders, options)); });
     expect_nothing_left([&] { static_cast<void>(collect_visibility(a, b, occluders, options)); });
@@ -243,6 +249,17 @@ constexpr Adding addings[] = {
        const Vec3 corners[] = {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}};
        const std::size_t first[] = {0, 3};
        return to.add_polygons(corners, first);
+     }},
+    {"found solids",
+     [](Occluders& to, float x) {
+       FoundSolids found;
+       found.hull_corners = {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}, {x, 0, 1}};
+       found.first_hull_corner = {0, 4};
+       found.polygon_corners = {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}};
+       found.first_polygon_corner = {0, 3};
+       found.inner_boxes = {{{x, 0, 0}, {x + 1, 1, 1}}};
+       to.add_found(found);
+       return to.size();
      }},
     {"groups",
      [](Occluders& to, float x) {

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+#include "solids/bodies.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace shaftcull::kernel {
+namespace {
+
+using Direction = std::array<double, 3>;
+
+/// More corners than this are thinned out: each is compared with each triangle.
+constexpr std::size_t most_corners = 256;
+
+double squared_distance(const Vec3& p, const Vec3& q) noexcept {
+  double sum = 0;
+  for (std::size_t k = 0; k != 3; ++k) sum += (double{p[k]} - q[k]) * (double{p[k]} - q[k]);
+  return sum;
+}
+
+/// The normal of a triangle, of length 1 nearly; zero if it is too small.
+Direction unit_normal(const WeldedMesh& mesh, std::uint32_t triangle) {
+  const SpannedPlane plane = mesh.plane(triangle);
+  Direction normal{plane.normal(0), plane.normal(1), plane.normal(2)};
+  const double largest = std::max({std::fabs(normal[0]), std::fabs(normal[1]), std::fabs(normal[2])});
+  if (largest == 0) return normal;
+  for (double& x : normal) x /= largest;
+  const double length = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+  for (double& x : normal) x /= length;
+  return normal;
+}
+
+/// Whether the normals around a vertex are those of three faces at least, nearly.
+bool is_corner(std::span<const Direction> normals) {
+  constexpr double flat = 1e-3;
+  const Direction& first = normals.front();
+  Direction edge{};
+  double length = 0;
+  for (const Direction& normal : normals) {
+    const Direction along{first[1] * normal[2] - first[2] * normal[1], first[2] * normal[0] - first[0] * normal[2],
+                          first[0] * normal[1] - first[1] * normal[0]};
+    const double of_this = std::sqrt(along[0] * along[0] + along[1] * along[1] + along[2] * along[2]);
+    if (of_this <= length) continue;
+    length = of_this;
+    edge = along;
+  }
+  return length > flat && std::any_of(normals.begin(), normals.end(), [&](const Direction& normal) {
+           return std::fabs(edge[0] * normal[0] + edge[1] * normal[1] + edge[2] * normal[2]) > flat * length;
+         });
+}
+
+/// The corners of a part: vertices within its edges and faces are left out.
+std::vector<Vec3> corners_of(const WeldedMesh& mesh, const WeldedMesh::Part& part) {
+  std::vector<std::pair<std::uint32_t, Direction>> normals;  // of each vertex
+  for (std::uint32_t triangle = part.first; triangle != part.end; ++triangle) {
+    const Direction normal = unit_normal(mesh, triangle);
+    if (normal == Direction{}) continue;
+    for (std::uint32_t edge = 3 * triangle; edge != 3 * triangle + 3; ++edge) {
+      normals.emplace_back(mesh.vertex(edge), normal);
+    }
+  }
+  std::sort(normals.begin(), normals.end());
+  std::vector<Vec3> corners;
+  std::vector<Direction> around;
+  for (auto it = normals.begin(); it != normals.end();) {
+    const std::uint32_t vertex = it->first;
+    around.clear();
+    for (; it != normals.end() && it->first == vertex; ++it) around.push_back(it->second);
+    if (is_corner(around)) corners.push_back(mesh.position(vertex));
+  }
+  return corners;
+}
+
+/// Whether all points are on or behind the planes of all triangles, and one is behind one of them.
+bool are_behind(const WeldedMesh& mesh, const WeldedMesh::Part& part, std::span<const Vec3> points) {
+  bool any_behind = false;
+  for (std::uint32_t triangle = part.first; triangle != part.end; ++triangle) {
+    if (mesh.is_degenerate(triangle)) continue;  // nothing is hidden by it, and nothing seen
+    const SpannedPlane plane = mesh.plane(triangle);
+    for (const Vec3& point : points) {
+      const int side = side_of(plane, point);
+      if (side > 0) return false;
+      any_behind |= side < 0;
+    }
+  }
+  return any_behind;
+}
+
+/// All points moved towards `middle`, on some axes.
+std::vector<Vec3> moved_towards(const Direction& middle, std::span<const Vec3> points, double share, unsigned axes) {
+  std::vector<Vec3> moved(points.begin(), points.end());
+  for (Vec3& point : moved) {
+    for (unsigned k = 0; k != 3; ++k) {
+      if ((axes >> k & 1U) != 0) point[k] = static_cast<float>(point[k] + share * (middle[k] - point[k]));
+    }
+  }
+  return moved;
+}
+
+/// Where a line from `point` to `end` meets a triangle: 1 if it passes from its front to its back, −1 the other way,
+/// 0 not at all; nothing if it meets an edge, or if the point is on the triangle.
+std::optional<int> crossing(const WeldedMesh& mesh, std::uint32_t triangle, const Vec3& point, const Vec3& end) {
+  const Vec3& a = mesh.start(3 * triangle);
+  const Vec3& b = mesh.start(3 * triangle + 1);
+  const Vec3& c = mesh.start(3 * triangle + 2);
+  for (unsigned k = 0; k != 3; ++k) {  // most triangles are beside the line, or beyond its ends
+    const auto [lo, hi] = std::minmax(point[k], end[k]);
+    if (std::max({a[k], b[k], c[k]}) < lo || std::min({a[k], b[k], c[k]}) > hi) return 0;
+  }
+  if (mesh.is_degenerate(triangle)) return 0;
+  const SpannedPlane plane = mesh.plane(triangle);
+  const int of_point = side_of(plane, point);
+  const int of_end = side_of(plane, end);
+  if (of_point == of_end && of_point != 0) return 0;
+  const int past_a = side_of(plane_of(point, end, a), b);
+  const int past_b = side_of(plane_of(point, end, b), c);
+  const int past_c = side_of(plane_of(point, end, c), a);
+  const auto [least, most] = std::minmax({past_a, past_b, past_c});
+  if (least < 0 && most > 0) return 0;
+  if (least == 0 || most == 0 || of_point == 0 || of_end == 0) return std::nullopt;
+  return of_point;
+}
+
+/// Whether a part lies within the closed part around it: no vertex is outside, and one is inside. A vertex that may be
+/// on the surface may be either.
+bool is_within(const WeldedMesh& mesh, const WeldedMesh::Part& part, const WeldedMesh::Part& around) {
+  bool any_inside = false;
+  for (std::uint32_t edge = 3 * part.first; edge != 3 * part.end; ++edge) {
+    const std::optional<int> turns = winding(mesh, around, mesh.start(edge));
+    if (turns == 0) return false;
+    any_inside |= turns.has_value();
+  }
+  return any_inside;
+}
+
+}  // namespace
+
+std::vector<Vec3> spread_points(std::span<const Vec3> points, std::size_t count) {
+  if (points.size() <= count) return {points.begin(), points.end()};
+  std::vector<double> distance(points.size(), std::numeric_limits<double>::infinity());
+  std::vector<Vec3> spread;
+  std::size_t at = 0;
+  while (spread.size() != count) {
+    spread.push_back(points[at]);
+    for (std::size_t i = 0; i != points.size(); ++i) {
+      distance[i] = std::min(distance[i], squared_distance(points[i], spread.back()));
+    }
+    at = static_cast<std::size_t>(std::max_element(distance.begin(), distance.end()) - distance.begin());
+  }
+  return spread;
+}
+
+std::optional<std::vector<Vec3>> convex_body(const WeldedMesh& mesh, const WeldedMesh::Part& part) {
+  const std::vector<Vec3> corners = spread_points(corners_of(mesh, part), most_corners);
+  constexpr std::size_t fewest_corners = 4;
+  if (!part.is_closed || corners.size() < fewest_corners) return std::nullopt;
+  if (are_behind(mesh, part, corners)) return corners;
+  Direction middle{};
+  for (const Vec3& corner : corners) {
+    for (std::size_t k = 0; k != 3; ++k) middle[k] += corner[k] / static_cast<double>(corners.size());
+  }
+  for (double share = 0x1p-22; share <= 0x1p-8; share *= 4) {
+    // A body that is turned about one axis keeps its place along it.
+    for (const unsigned axes : {0b011U, 0b101U, 0b110U, 0b111U}) {
+      std::vector<Vec3> moved = moved_towards(middle, corners, share, axes);
+      if (are_behind(mesh, part, moved)) return moved;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<int> winding(const WeldedMesh& mesh, const WeldedMesh::Part& part, const Vec3& point) {
+  for (std::size_t k = 0; k != 3; ++k) {
+    if (point[k] < part.box.lo[k] || point[k] > part.box.hi[k]) return 0;
+  }
+  // Lines aslant, so that they seldom meet an edge.
+  constexpr std::array<std::array<float, 2>, 4> slopes{
+      {{0.0137F, 0.00731F}, {-0.0291F, 0.0173F}, {0.0613F, -0.0437F}, {-0.1171F, -0.0893F}}};
+  for (const auto& [of_y, of_z] : slopes) {
+    const float way = 2 * (part.box.hi[0] - point[0]) + 1e-3F * (part.box.hi[0] - part.box.lo[0]);
+    const Vec3 end{point[0] + way, point[1] + of_y * way, point[2] + of_z * way};
+    if (!(end[0] > part.box.hi[0]) || !std::isfinite(end[0]) || !std::isfinite(end[1]) || !std::isfinite(end[2])) {
+      return std::nullopt;
+    }
+    std::optional<int> turns = 0;
+    for (std::uint32_t triangle = part.first; triangle != part.end && turns; ++triangle) {
+      const std::optional<int> crossed = crossing(mesh, triangle, point, end);
+      turns = crossed ? std::optional(*turns - *crossed) : std::nullopt;
+    }
+    if (turns) return turns;
+  }
+  return std::nullopt;
+}
+
+std::vector<bool> shells(const WeldedMesh& mesh) {
+  const std::span<const WeldedMesh::Part> parts = mesh.parts();
+  std::vector<std::uint32_t> order(parts.size());
+  for (std::uint32_t i = 0; i != order.size(); ++i) order[i] = i;
+  const auto lowest = [&](std::uint32_t i) { return parts[i].box.lo[0]; };
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return std::pair(lowest(a), a) < std::pair(lowest(b), b); });
+  const auto holds = [](const Box& outer, const Box& inner) {
+    for (std::size_t k = 0; k != 3; ++k) {
+      if (inner.lo[k] < outer.lo[k] || inner.hi[k] > outer.hi[k]) return false;
+    }
+    return true;
+  };
+  std::vector<bool> is_shell(parts.size(), false);
+  for (std::uint32_t i = 0; i != parts.size(); ++i) {
+    if (!parts[i].is_closed) continue;
+    const auto first = std::lower_bound(order.begin(), order.end(), lowest(i),
+                                        [&](std::uint32_t j, float lo) { return lowest(j) < lo; });
+    is_shell[i] = std::any_of(
+        first,
+        std::partition_point(first, order.end(), [&](std::uint32_t j) { return lowest(j) <= parts[i].box.hi[0]; }),
+        [&](std::uint32_t j) {
+          return j != i && holds(parts[i].box, parts[j].box) && is_within(mesh, parts[j], parts[i]);
+        });
+  }
+  return is_shell;
+}
+
+}  // namespace shaftcull::kernel

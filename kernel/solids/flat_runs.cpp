@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: MIT
+#include "solids/flat_runs.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <span>
+#include <utility>
+
+namespace shaftcull::kernel {
+namespace {
+
+using Edge = std::uint32_t;
+
+double dot(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) noexcept {
+  double sum = 0;
+  for (std::size_t k = 0; k != 3; ++k) sum += (double{b[k]} - a[k]) * (double{d[k]} - c[k]);
+  return sum;
+}
+
+/// Sets whose members are joined.
+class Sets {
+ public:
+  explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
+
+  [[nodiscard]] std::uint32_t of(std::uint32_t member) {
+    while (parent_[member] != member) {
+      parent_[member] = parent_[parent_[member]];
+      member = parent_[member];
+    }
+    return member;
+  }
+  void join(std::uint32_t a, std::uint32_t b) { parent_[std::max(of(a), of(b))] = std::min(of(a), of(b)); }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+/// Triangles and edges are numbered from the first one of the part on.
+class Joining {
+ public:
+  Joining(const WeldedMesh& mesh, const WeldedMesh::Part& part)
+      : mesh_(mesh),
+        first_(part.first),
+        count_(part.end - part.first),
+        normal_(count_),
+        next_(3 * std::size_t{count_}),
+        previous_(next_.size()),
+        planes_(count_),
+        polygons_(count_),
+        is_joined_(next_.size(), false) {
+    for (std::uint32_t t = 0; t != count_; ++t) {
+      normal_[t] = normal_of(t);
+      for (Edge i = 0; i != 3; ++i) {
+        next_[3 * t + i] = 3 * t + (i + 1) % 3;
+        previous_[3 * t + i] = 3 * t + (i + 2) % 3;
+      }
+    }
+  }
+
+  std::vector<std::vector<Vec3>> run() {
+    sort_inner_edges();
+    join_whole_planes();
+    for (const Edge edge : flat_) join_across(edge);
+    for (const Edge edge : nearly_flat_) join_two(edge);
+    write_others();
+    return std::move(found_);
+  }
+
+ private:
+  /// The axis that the normal of a triangle is nearest to, and in which direction it points along this axis. 0: there
+  /// is no normal.
+  struct Normal {
+    unsigned axis = 0;
+    int sign = 0;
+    std::array<double, 3> along{};
+  };
+
+  [[nodiscard]] Edge across(Edge edge) const {
+    const std::uint32_t other = mesh_.across(edge + 3 * first_);
+    return other == WeldedMesh::none ? other : other - 3 * first_;
+  }
+  [[nodiscard]] const Vec3& start(Edge edge) const { return mesh_.start(edge + 3 * first_); }
+  [[nodiscard]] const Vec3& end(Edge edge) const { return mesh_.start(WeldedMesh::next(edge + 3 * first_)); }
+  /// The corner of the edge's triangle that is not on the edge.
+  [[nodiscard]] const Vec3& far(Edge edge) const {
+    return mesh_.start(WeldedMesh::next(WeldedMesh::next(edge + 3 * first_)));
+  }
+  [[nodiscard]] std::uint32_t start_vertex(Edge edge) const { return mesh_.vertex(edge + 3 * first_); }
+  [[nodiscard]] std::uint32_t end_vertex(Edge edge) const { return mesh_.vertex(WeldedMesh::next(edge + 3 * first_)); }
+  [[nodiscard]] double length(Edge edge) const { return dot(start(edge), end(edge), start(edge), end(edge)); }
+
+  [[nodiscard]] Normal normal_of(std::uint32_t triangle) const {
+    const SpannedPlane plane = mesh_.plane(first_ + triangle);
+    Normal normal;
+    for (unsigned k = 0; k != 3; ++k) {
+      normal.along[k] = plane.normal(k);
+      if (std::fabs(normal.along[k]) > std::fabs(normal.along[normal.axis])) normal.axis = k;
+    }
+    const double largest = normal.along[normal.axis];
+    normal.sign = largest > 0 ? 1 : largest < 0 ? -1 : 0;
+    for (double& x : normal.along) x = normal.sign == 0 ? 0 : x / std::fabs(largest);
+    return normal;
+  }
+
+  /// Whether the triangles at an edge face the same way, and are in one plane within a thousandth of a right angle.
+  [[nodiscard]] bool are_nearly_flat(Edge edge, Edge other) const {
+    const Normal& a = normal_[edge / 3];
+    const Normal& b = normal_[other / 3];
+    if (a.sign == 0 || b.sign == 0 || b.along[a.axis] * a.sign <= 0) return false;
+    constexpr double flat = 1e-3;
+    for (std::size_t k = 0; k != 3; ++k) {
+      if (std::fabs(a.along[k] - b.along[k]) > flat) return false;
+    }
+    return true;
+  }
+
+  /// Edges between triangles in one plane, longest first.
+  void sort_inner_edges() {
+    for (Edge edge = 0; edge != 3 * count_; ++edge) {
+      const Edge other = across(edge);
+      if (other == WeldedMesh::none || edge > other || !are_nearly_flat(edge, other)) continue;
+      const bool is_exact = side_of(mesh_.plane(first_ + edge / 3), far(other)) == 0;
+      (is_exact ? flat_ : nearly_flat_).push_back(edge);
+      if (is_exact) planes_.join(edge / 3, other / 3);
+    }
+    for (std::vector<Edge>* const list : {&flat_, &nearly_flat_}) {
+      std::sort(list->begin(), list->end(),
+                [&](Edge a, Edge b) { return std::pair(-length(a), a) < std::pair(-length(b), b); });
+    }
+  }
+
+  /// 1 if the way along the edge `from`, and then along the edge `to`, turns left as seen from the front, −1 if it
+  /// turns right, 0 if it does not turn. Exact for edges in one plane.
+  [[nodiscard]] int turn(Edge from, Edge to) const {
+    const Normal& normal = normal_[from / 3];
+    const unsigned i = (normal.axis + 1) % 3;
+    const unsigned j = (normal.axis + 2) % 3;
+    const auto step = [&](Edge edge, unsigned k) { return Step{end(edge)[k], start(edge)[k]}; };
+    return normal.sign * determinant_sign(step(from, i), step(from, j), step(to, i), step(to, j));
+  }
+  [[nodiscard]] bool is_convex(Edge from, Edge to) const {
+    const int side = turn(from, to);
+    return side > 0 || (side == 0 && dot(start(from), end(from), start(to), end(to)) > 0);
+  }
+  /// Which half of all directions an edge has: around a convex polygon, each half comes once.
+  [[nodiscard]] bool points_up(Edge edge) const {
+    const unsigned axis = normal_[edge / 3].axis;
+    const unsigned i = (axis + 1) % 3;
+    const unsigned j = (axis + 2) % 3;
+    return std::pair(end(edge)[j], end(edge)[i]) > std::pair(start(edge)[j], start(edge)[i]);
+  }
+
+  void link(Edge edge, Edge after) {
+    next_[edge] = after;
+    previous_[after] = edge;
+  }
+
+  /// Joins all triangles of a plane that form one convex polygon.
+  void join_whole_planes() {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> members;  // of each plane
+    for (std::uint32_t t = 0; t != count_; ++t) members.emplace_back(planes_.of(t), t);
+    std::sort(members.begin(), members.end());
+    for (auto first = members.begin(); first != members.end();) {
+      auto last = first;
+      std::vector<Edge> boundary;
+      for (; last != members.end() && last->first == first->first; ++last) {
+        for (Edge edge = 3 * last->second; edge != 3 * last->second + 3; ++edge) {
+          const Edge other = across(edge);
+          if (other == WeldedMesh::none || planes_.of(other / 3) != first->first) boundary.push_back(edge);
+        }
+      }
+      constexpr std::ptrdiff_t fewest = 3;  // two are joined across their edge
+      if (last - first >= fewest && is_convex_loop(boundary)) {
+        for (auto member = first; member != last; ++member) {
+          polygons_.join(first->second, member->second);
+          set_joined(member->second, true);
+        }
+        for (std::size_t i = 0; i != boundary.size(); ++i) {
+          link(boundary[i], boundary[(i + 1) % boundary.size()]);
+          is_joined_[boundary[i]] = false;
+        }
+      }
+      first = last;
+    }
+  }
+
+  /// Whether the edges are the boundary of a convex polygon. Sorts them into its order.
+  [[nodiscard]] bool is_convex_loop(std::vector<Edge>& boundary) const {
+    const auto by_start = [&](Edge a, Edge b) { return start_vertex(a) < start_vertex(b); };
+    std::sort(boundary.begin(), boundary.end(), by_start);
+    std::vector<Edge> loop{boundary.front()};
+    while (loop.size() <= boundary.size()) {
+      const auto after = std::partition_point(boundary.begin(), boundary.end(),
+                                              [&](Edge edge) { return start_vertex(edge) < end_vertex(loop.back()); });
+      if (after == boundary.end() || start_vertex(*after) != end_vertex(loop.back())) return false;
+      if (after + 1 != boundary.end() && start_vertex(*(after + 1)) == start_vertex(*after)) return false;
+      if (!is_convex(loop.back(), *after)) return false;
+      if (*after == loop.front()) break;
+      loop.push_back(*after);
+    }
+    if (loop.size() != boundary.size()) return false;
+    std::size_t tops = 0;
+    for (std::size_t i = 0; i != loop.size(); ++i) {
+      tops += points_up(loop[i]) && !points_up(loop[(i + 1) % loop.size()]) ? 1U : 0U;
+    }
+    boundary = std::move(loop);
+    return tops == 1;
+  }
+
+  /// Joins two convex polygons in one plane if they form another one. An edge is common to both, and the edges before
+  /// and after it may be.
+  void join_across(Edge edge) {
+    const Edge other = across(edge);
+    if (polygons_.of(edge / 3) == polygons_.of(other / 3)) return;
+    Edge first = edge;  // of the common edges, in the order of this polygon
+    while (across(previous_[first]) == next_[across(first)]) first = previous_[first];
+    Edge last = edge;
+    while (across(next_[last]) == previous_[across(last)]) last = next_[last];
+    const Edge before = previous_[first];
+    const Edge after = next_[last];
+    const Edge other_before = previous_[across(last)];
+    const Edge other_after = next_[across(first)];
+    if (!is_convex(before, other_after) || !is_convex(other_before, after)) return;
+    link(before, other_after);
+    link(other_before, after);
+    for (Edge common = first;; common = next_[common]) {
+      is_joined_[common] = is_joined_[across(common)] = true;
+      if (common == last) break;
+    }
+    link(before, other_after);
+    link(other_before, after);
+    polygons_.join(edge / 3, other / 3);
+  }
+
+  /// Joins two triangles that are not quite in one plane, unless others are joined with them.
+  void join_two(Edge edge) {
+    const Edge other = across(edge);
+    for (const Edge side : {edge, other}) {
+      if (is_joined_[side] || next_[next_[next_[side]]] != side || turn(side, next_[side]) == 0) return;
+    }
+    const auto is_corner = [&](Edge from, Edge to) { return turn(from, to) > 0; };
+    if (!is_corner(previous_[edge], next_[other]) || !is_corner(previous_[other], next_[edge])) return;
+    found_.push_back({start(edge), far(other), end(edge), far(edge)});
+    set_joined(edge / 3, true);
+    set_joined(other / 3, true);
+  }
+
+  void set_joined(std::uint32_t triangle, bool is_joined) {
+    for (Edge edge = 3 * triangle; edge != 3 * triangle + 3; ++edge) is_joined_[edge] = is_joined;
+  }
+
+  /// Writes the polygons that edges are left of.
+  void write_others() {
+    for (Edge seed = 0; seed != 3 * count_; ++seed) {
+      if (is_joined_[seed] || normal_[seed / 3].sign == 0) continue;
+      std::vector<Vec3> corners;
+      Edge edge = seed;
+      do {
+        if (turn(previous_[edge], edge) != 0) corners.push_back(start(edge));
+        is_joined_[edge] = true;
+        edge = next_[edge];
+      } while (edge != seed);
+      found_.push_back(std::move(corners));
+    }
+  }
+
+  const WeldedMesh& mesh_;
+  std::uint32_t first_;
+  std::uint32_t count_;
+  std::vector<Normal> normal_;
+  std::vector<Edge> next_;         ///< around each polygon
+  std::vector<Edge> previous_;     ///< likewise
+  Sets planes_;                    ///< of triangles
+  Sets polygons_;                  ///< of triangles
+  std::vector<bool> is_joined_;    ///< of each edge: it is within a polygon, or its polygon is written
+  std::vector<Edge> flat_;         ///< each between two triangles in one plane, longest first
+  std::vector<Edge> nearly_flat_;  ///< likewise, nearly in one plane
+  std::vector<std::vector<Vec3>> found_;
+};
+
+}  // namespace
+
+std::vector<std::vector<Vec3>> flat_runs(const WeldedMesh& mesh, const WeldedMesh::Part& part) {
+  return Joining(mesh, part).run();
+}
+
+}  // namespace shaftcull::kernel

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "solids/welded_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+namespace shaftcull::kernel {
+namespace {
+
+using Direction = std::array<double, 3>;
+
+Direction difference(const Vec3& p, const Vec3& q) noexcept {
+  return {double{p[0]} - q[0], double{p[1]} - q[1], double{p[2]} - q[2]};
+}
+
+double dot(const Direction& p, const Direction& q) noexcept { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
+
+Direction cross(const Direction& p, const Direction& q) noexcept {
+  return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
+}
+
+/// How far a triangle is turned about an edge, from the back of a first triangle around to its front: ascends with the
+/// angle, from 0, not included, to 4. `far_first` and `far` are their corners that are not on the edge.
+double turn_behind(const Vec3& start, const Vec3& end, const Vec3& far_first, const Vec3& far) noexcept {
+  const Direction along = difference(end, start);
+  const Direction normal = cross(along, difference(far_first, start));  // of the first triangle, to its front
+  const Direction inwards = cross(normal, along);                       // from the edge into the first triangle
+  const Direction to = difference(far, start);
+  const double x = dot(inwards, to);
+  const double y = -dot(normal, to) * std::sqrt(dot(along, along));
+  const double part = y / (std::fabs(x) + std::fabs(y));
+  constexpr double coincident = 1e-4;  // the back of another body
+  if (x >= 0) return part > coincident ? part : 4 + part;
+  return 2 - part;
+}
+
+}  // namespace
+
+WeldedMesh::WeldedMesh(const TriangleView& triangles) {
+  const std::vector<std::uint32_t> vertices = weld(triangles);
+  corner_.reserve(triangles.count);
+  for (std::size_t t = 0; t != triangles.count; ++t) {
+    std::array<std::uint32_t, 3> corner{vertices[3 * t], vertices[3 * t + 1], vertices[3 * t + 2]};
+    if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0]) continue;
+    std::rotate(corner.begin(), std::min_element(corner.begin(), corner.end()), corner.end());
+    corner_.push_back(corner);
+  }
+  std::sort(corner_.begin(), corner_.end());
+  corner_.erase(std::unique(corner_.begin(), corner_.end()), corner_.end());
+  connect();
+  sort_into_parts();
+}
+
+/// Numbers the positions. Returns the number of each vertex of each triangle.
+std::vector<std::uint32_t> WeldedMesh::weld(const TriangleView& triangles) {
+  struct Numbered {
+    Vec3 position;
+    std::uint32_t vertex;
+  };
+  std::vector<Numbered> all;
+  all.reserve(3 * triangles.count);
+  for (std::size_t t = 0; t != triangles.count; ++t) {
+    for (Vec3 position : triangles[t].vertex) {
+      for (float& x : position) x += 0.0F;  // −0 becomes 0
+      all.push_back({position, static_cast<std::uint32_t>(all.size())});
+    }
+  }
+  std::sort(all.begin(), all.end(), [](const Numbered& a, const Numbered& b) {
+    return std::tie(a.position, a.vertex) < std::tie(b.position, b.vertex);
+  });
+  std::vector<std::uint32_t> numbers(all.size());
+  for (const Numbered& vertex : all) {
+    if (position_.empty() || position_.back() != vertex.position) position_.push_back(vertex.position);
+    numbers[vertex.vertex] = static_cast<std::uint32_t>(position_.size() - 1);
+  }
+  return numbers;
+}
+
+/// Finds the edge across each edge.
+void WeldedMesh::connect() {
+  across_.assign(edges(), none);
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> order;  // its two vertices, and the edge
+  order.reserve(edges());
+  for (std::uint32_t edge = 0; edge != edges(); ++edge) {
+    const auto [low, high] = std::minmax({vertex(edge), vertex(next(edge))});
+    order.emplace_back(std::uint64_t{low} << 32U | high, edge);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<std::uint32_t> between;
+  for (auto first = order.begin(); first != order.end();) {
+    between.clear();
+    const std::uint64_t ends = first->first;
+    for (; first != order.end() && first->first == ends; ++first) between.push_back(first->second);
+    if (between.size() == 2 && vertex(between[0]) != vertex(between[1])) {
+      across_[between[0]] = between[1];
+      across_[between[1]] = between[0];
+    } else if (between.size() > 2) {
+      pair_crowded(between);
+    }
+  }
+}
+
+/// Pairs the edges between two vertices where bodies touch: each triangle with the one that is next behind it, so that
+/// both bound one body. Which ones are paired is a choice: whatever is found in the parts is proven there.
+void WeldedMesh::pair_crowded(std::span<const std::uint32_t> edges) {
+  constexpr std::size_t most = 16;
+  std::vector<std::uint32_t> forward;
+  std::vector<std::uint32_t> backward;
+  for (const std::uint32_t edge : edges) (vertex(edge) < vertex(next(edge)) ? forward : backward).push_back(edge);
+  if (forward.size() != backward.size() || edges.size() > most) return;
+  for (const std::uint32_t edge : forward) {
+    const auto turn = [&](std::uint32_t other) {
+      return turn_behind(start(edge), start(next(edge)), start(next(next(edge))), start(next(next(other))));
+    };
+    const auto nearest = std::min_element(backward.begin(), backward.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return std::pair(turn(a), a) < std::pair(turn(b), b);
+    });
+    across_[edge] = *nearest;
+    across_[*nearest] = edge;
+    backward.erase(nearest);
+  }
+}
+
+/// Sorts the triangles by parts.
+void WeldedMesh::sort_into_parts() {
+  const std::size_t count = corner_.size();
+  std::vector<std::uint32_t> order;  // new order of the triangles
+  std::vector<std::uint32_t> place(count, none);
+  order.reserve(count);
+  for (std::uint32_t seed = 0; seed != count; ++seed) {
+    if (place[seed] != none) continue;
+    Part part{static_cast<std::uint32_t>(order.size()), 0, {start(3 * seed), start(3 * seed)}, true};
+    place[seed] = part.first;
+    order.push_back(seed);
+    for (std::size_t at = part.first; at != order.size(); ++at) {
+      for (std::uint32_t edge = 3 * order[at]; edge != 3 * order[at] + 3; ++edge) {
+        for (std::size_t k = 0; k != 3; ++k) {
+          part.box.lo[k] = std::min(part.box.lo[k], start(edge)[k]);
+          part.box.hi[k] = std::max(part.box.hi[k], start(edge)[k]);
+        }
+        const std::uint32_t other = across_[edge];
+        part.is_closed &= other != none;
+        if (other == none || place[other / 3] != none) continue;
+        place[other / 3] = static_cast<std::uint32_t>(order.size());
+        order.push_back(other / 3);
+      }
+    }
+    part.end = static_cast<std::uint32_t>(order.size());
+    parts_.push_back(part);
+  }
+  std::vector<std::array<std::uint32_t, 3>> corner(count);
+  std::vector<std::uint32_t> across(edges(), none);
+  for (std::uint32_t to = 0; to != count; ++to) {
+    corner[to] = corner_[order[to]];
+    for (std::uint32_t i = 0; i != 3; ++i) {
+      const std::uint32_t other = across_[3 * order[to] + i];
+      if (other != none) across[3 * to + i] = 3 * place[other / 3] + other % 3;
+    }
+  }
+  corner_ = std::move(corner);
+  across_ = std::move(across);
+}
+
+SpannedPlane WeldedMesh::plane(std::uint32_t triangle) const noexcept {
+  return plane_of(start(3 * triangle), start(3 * triangle + 1), start(3 * triangle + 2));
+}
+
+bool WeldedMesh::is_degenerate(std::uint32_t triangle) const noexcept {
+  const SpannedPlane spanned = plane(triangle);
+  return spanned.normal(0) == 0 && spanned.normal(1) == 0 && spanned.normal(2) == 0;
+}
+
+}  // namespace shaftcull::kernel

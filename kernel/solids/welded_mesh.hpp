@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+/// Triangles with shared vertices, each edge with the triangle across it, and the connected parts.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "exact/orientation.hpp"
+#include "shaftcull/bounds.hpp"
+#include "shaftcull/triangles.hpp"
+
+namespace shaftcull::kernel {
+
+/// Triangle t has the edges 3 t, 3 t + 1 and 3 t + 2: edge 3 t + i leads from its vertex i to the next one.
+class WeldedMesh {
+ public:
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  /// Consecutive triangles that are connected across edges.
+  struct Part {
+    std::uint32_t first;
+    std::uint32_t end;
+    Box box;
+    bool is_closed;  ///< every edge has another one across: the part is the boundary of a region
+  };
+
+  /// Welds vertices at the same position, −0 and 0 being the same. Leaves out triangles that repeat a vertex, and those
+  /// that repeat a triangle. All coordinates are finite, and there are fewer than 2³⁰ triangles. O(n log n).
+  explicit WeldedMesh(const TriangleView& triangles);
+
+  [[nodiscard]] std::span<const Part> parts() const noexcept { return parts_; }
+  [[nodiscard]] std::size_t edges() const noexcept { return 3 * corner_.size(); }
+  [[nodiscard]] std::uint32_t vertex(std::uint32_t edge) const noexcept { return corner_[edge / 3][edge % 3]; }
+  [[nodiscard]] const Vec3& position(std::uint32_t vertex) const noexcept { return position_[vertex]; }
+  /// Where an edge starts.
+  [[nodiscard]] const Vec3& start(std::uint32_t edge) const noexcept { return position_[vertex(edge)]; }
+  [[nodiscard]] static std::uint32_t next(std::uint32_t edge) noexcept { return edge % 3 == 2 ? edge - 2 : edge + 1; }
+  /// The same edge of another triangle, in the other direction; `none` if there is no such triangle, or if it is
+  /// unclear which one of several is meant.
+  [[nodiscard]] std::uint32_t across(std::uint32_t edge) const noexcept { return across_[edge]; }
+  /// The plane of a triangle. Its front is where the vertices run counterclockwise.
+  [[nodiscard]] SpannedPlane plane(std::uint32_t triangle) const noexcept;
+  /// Whether the three vertices are on one line.
+  [[nodiscard]] bool is_degenerate(std::uint32_t triangle) const noexcept;
+
+ private:
+  std::vector<std::uint32_t> weld(const TriangleView& triangles);
+  void connect();
+  void pair_crowded(std::span<const std::uint32_t> edges);
+  void sort_into_parts();
+
+  std::vector<Vec3> position_;
+  std::vector<std::array<std::uint32_t, 3>> corner_;  ///< of each triangle, in the order of the parts
+  std::vector<std::uint32_t> across_;
+  std::vector<Part> parts_;
+};
+
+/// The plane through three points. Its front is where they run counterclockwise.
+[[nodiscard]] inline SpannedPlane plane_of(const Vec3& a, const Vec3& b, const Vec3& c) noexcept {
+  return SpannedPlane({a[0], a[1], a[2]}, {{b[0], a[0]}, {b[1], a[1]}, {b[2], a[2]}},
+                      {{c[0], a[0]}, {c[1], a[1]}, {c[2], a[2]}});
+}
+
+/// On which side of a plane a point is: 1 in front, −1 behind, 0 on it. Exact.
+[[nodiscard]] inline int side_of(const SpannedPlane& plane, const Vec3& point) noexcept {
+  return plane.side({point[0], point[1], point[2]});
+}
+
+}  // namespace shaftcull::kernel
