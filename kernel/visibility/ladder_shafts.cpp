@@ -51,9 +51,12 @@ std::uint64_t Ladder::occluded_by_polygons(const std::uint32_t* polygons, std::s
     const std::uint64_t may = asked & ~occluded & (may_block == nullptr ? ~std::uint64_t{0} : may_block[i]);
     std::uint64_t met = 0;
     job_.kernels.keep(siblings_, job_.occluders.polygons.data(), &polygons[i], 1, nullptr, may, &met);
+    const PolygonSides& sides = job_.occluders.polygon_sides[polygons[i]];
+    const PolygonSides::Reach of_fixed = sides.of(fixed_);
     for_each_lane(met, [&](unsigned lane) {
       float other[6];
       for (unsigned f = 0; f != 6; ++f) other[f] = siblings_.other[f][lane];
+      if (PolygonSides::are_on_one_side(of_fixed, sides.of(other))) return;
       // The relative interior of a patch may lie in the surface of its group.
       const auto& blocks = siblings_.are_groups ? polygon_blocks_closed : static_cast<BetweenHulls&>(polygon_blocks);
       if (blocks(fixed.get(), BoxCorners(other).get(), job_.occluders.polygon(polygons[i]))) occluded |= bit(lane);

@@ -58,6 +58,7 @@ class Addition {
     shorten(data_.triangles, triangles_);
     shorten(data_.solids, solids_);
     shorten(data_.polygons, polygons_);
+    shorten(data_.polygon_sides, polygons_);
     shorten(data_.polygon_corners, polygon_corners_);
     shorten(data_.first_polygon_corner, polygons_ + 1);
     data_.largest_coordinate = largest_coordinate_;
@@ -83,6 +84,7 @@ class Addition {
       kernel::fail(InvalidArgument("there are 2^32 - 1 polygons already; no more can be numbered"));
     }
     data_.polygons.push_back(row_of(box));
+    data_.polygon_sides.emplace_back(corners);
     data_.polygon_corners.insert(data_.polygon_corners.end(), corners.begin(), corners.end());
     data_.first_polygon_corner.push_back(data_.polygon_corners.size());
   }

@@ -13,6 +13,7 @@
 #include "shaftcull/bounds.hpp"
 #include "support/threads.hpp"
 #include "visibility/box_clumps.hpp"
+#include "visibility/polygon_sides.hpp"
 
 namespace shaftcull::kernel {
 
@@ -75,6 +76,7 @@ struct OccluderData {
   std::vector<Box> solids;
   /// Of each polygon that makes pairs occluded, the box around it.
   std::vector<BoxRow> polygons;
+  std::vector<PolygonSides> polygon_sides;  ///< of each
   std::vector<Vec3> polygon_corners;
   std::vector<std::size_t> first_polygon_corner{0};
   float largest_coordinate = 0;
