@@ -806,6 +806,22 @@ SHAFTCULL_API shaftcull_status shaftcull_occluders_add_triangles(shaftcull_occlu
                                                                  const uint64_t* first_triangle, uint64_t group_count,
                                                                  uint64_t* first);
 
+/// What shaftcull_occluders_find_solids() found.
+typedef struct shaftcull_found_solids {
+  uint64_t hulls;       /* convex bodies */
+  uint64_t polygons;    /* flat convex polygons */
+  uint64_t inner_boxes; /* boxes inside bodies that are not convex */
+} shaftcull_found_solids;
+
+/// Finds what triangles hide by themselves, so that nobody need say which objects are solid: bodies, and flat polygons
+/// (find_solids() of solids.hpp). What is found makes pairs occluded and is no occluder: add the triangles as well, by
+/// shaftcull_occluders_add_triangles(). What is narrower than `least_width`, 0 or more, is left out. `bodies`: 1 takes
+/// closed surfaces that face outwards for bodies; 0 finds polygons alone, for triangles without a reliable orientation.
+/// Writes how many were found into `found`, which may be NULL. O(n log n); allocates.
+SHAFTCULL_API shaftcull_status shaftcull_occluders_find_solids(shaftcull_occluders* occluders,
+                                                               const shaftcull_source* triangles, float least_width,
+                                                               uint32_t bodies, shaftcull_found_solids* found);
+
 /// One occluder. The pointer is valid until occluders are added or freed.
 typedef struct shaftcull_occluder_info {
   const uint32_t* triangles; /* by their positions in the source that they were added from; NULL if there are none */

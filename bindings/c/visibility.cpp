@@ -173,6 +173,24 @@ shaftcull_status add_corners(shaftcull_occluders* occluders, const float* corner
   });
 }
 
+/// Calls use(view) of the triangles that a source has.
+template <class Use>
+void use_triangles(const shaftcull_source* triangles, const Use& use) {
+  const Source source = as_source(triangles, "triangles");
+  const bool taken = use_source(
+      source, [&]<class Records>(const Records& records) requires(
+                  std::is_same_v<Records, shaftcull::TriangleView> ||
+                  std::is_constructible_v<shaftcull::TriangleStream, const Records&>) {
+        if constexpr (std::is_same_v<Records, shaftcull::TriangleView>) {
+          use(records);
+        } else {
+          const shaftcull::TriangleStream packed(records);
+          use(packed.view());
+        }
+      });
+  if (!taken) refuse("triangles is a source of other bounds; this call takes triangles");
+}
+
 }  // namespace
 
 extern "C" {
@@ -272,24 +290,24 @@ shaftcull_status shaftcull_occluders_add_triangles(shaftcull_occluders* occluder
                                                    uint64_t* first) {
   return guarded([&] {
     Occluders& all = given(occluders, "occluders").all;
-    const Source source = as_source(triangles, "triangles");
     const std::vector<std::size_t> groups = as_offsets(first_triangle, group_count, "first_triangle");
-    const auto add = [&](const shaftcull::TriangleView& view) {
+    use_triangles(triangles, [&](const shaftcull::TriangleView& view) {
       const std::size_t number = all.add_triangles(view, groups);
       if (first != nullptr) *first = number;
-    };
-    const bool taken = use_source(
-        source, [&]<class Records>(const Records& records) requires(
-                    std::is_same_v<Records, shaftcull::TriangleView> ||
-                    std::is_constructible_v<shaftcull::TriangleStream, const Records&>) {
-          if constexpr (std::is_same_v<Records, shaftcull::TriangleView>) {
-            add(records);
-          } else {
-            const shaftcull::TriangleStream packed(records);
-            add(packed.view());
-          }
-        });
-    if (!taken) refuse("triangles is a source of other bounds; this call takes triangles");
+    });
+  });
+}
+
+shaftcull_status shaftcull_occluders_find_solids(shaftcull_occluders* occluders, const shaftcull_source* triangles,
+                                                 float least_width, uint32_t bodies, shaftcull_found_solids* found) {
+  return guarded([&] {
+    Occluders& all = given(occluders, "occluders").all;
+    const shaftcull::SolidSearch search{.least_width = least_width, .bodies = as_bool(bodies, "bodies")};
+    use_triangles(triangles, [&](const shaftcull::TriangleView& view) {
+      const shaftcull::FoundSolids solids = shaftcull::find_solids(view, search);
+      all.add_found(solids);
+      if (found != nullptr) *found = {solids.hulls(), solids.polygons(), solids.inner_boxes.size()};
+    });
   });
 }
 
