@@ -858,6 +858,8 @@ class Occluders:
     polygons: flat convex polygons without thickness: such arrays, of 3 corners or more in order.
     triangles, faces: a mesh, float32 (n, 3, 3), or vertices (v, 3) with faces, integers (f, 3).
     groups: integers (g + 1,): group i has triangles groups[i] to groups[i + 1]. None: the library makes groups.
+    find_solids: True finds bodies, walls and floors in the triangles, which make pairs 'occluded'. They are no
+        occluders: `found` says how many there are. Closed surfaces must face outwards to be bodies.
     rounding: 'outwards' takes `boxes` of float64, too, and contains them: a pair that is clear is so as given. The
         others are never rounded outwards, since a larger solid hides too much: use astype(numpy.float32).
 
@@ -874,9 +876,15 @@ class Occluders:
         triangles: _Floats | None = None,
         faces: _Integers | None = None,
         groups: _Integers | None = None,
+        find_solids: bool = False,
         rounding: _Rounding | None = None,
     ) -> None: ...
     def __len__(self) -> int: ...
+    @property
+    def found(self) -> dict[str, int]:
+        """How many solids were found in the triangles: a dict with 'hulls' (convex bodies), 'polygons' and
+        'inner_boxes' (boxes inside other bodies); empty without find_solids.
+        """
     @property
     def first(self) -> dict[str, int]:
         """The number of the first occluder of each argument that was given: a dict such as

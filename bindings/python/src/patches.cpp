@@ -31,21 +31,32 @@ struct CornersIn {
   }
 };
 
-/// Adds triangles, in the groups that are given.
-std::size_t add_triangles(Occluders& to, const py::object& given, const py::object& faces, const py::object& groups) {
-  const BoundsIn<Triangle> in = bounds_in<Triangle>(given, faces);
+/// Adds triangles, in the groups that are given, and solids that are found in them if they are wanted.
+std::size_t add_triangles(Occluders& to, const py::object& given, const OccluderArguments& more,
+                          OccludersHolder& holder) {
+  const BoundsIn<Triangle> in = bounds_in<Triangle>(given, more.faces);
   std::vector<std::size_t> first;
-  if (!groups.is_none()) {
-    const IndicesIn ends = indices_in(groups, "groups", in.count + 1, "places where a group can begin or end");
+  if (!more.groups.is_none()) {
+    const IndicesIn ends = indices_in(more.groups, "groups", in.count + 1, "places where a group can begin or end");
     first.assign(ends.indices.begin(), ends.indices.end());
   }
   const py::gil_scoped_release release;
+  const auto add = [&](const TriangleView& triangles) {
+    const std::size_t number = to.add_triangles(triangles, first);
+    if (more.find_solids) {
+      const FoundSolids found = find_solids(triangles);
+      to.add_found(found);
+      holder.found = {
+          {"hulls", found.hulls()}, {"polygons", found.polygons()}, {"inner_boxes", found.inner_boxes.size()}};
+    }
+    return number;
+  };
   return std::visit(
       [&]<class Where>(const Where& where) {
         if constexpr (std::is_same_v<Where, TriangleView>) {
-          return to.add_triangles(where, first);
+          return add(where);
         } else {
-          return to.add_triangles(TriangleStream(where).view(), first);
+          return add(TriangleStream(where).view());
         }
       },
       in.where);
@@ -55,6 +66,12 @@ std::uint32_t number_of(const OccludersHolder& holder, const py::object& occlude
   const IndicesIn in = indices_in(occluder, "occluder", holder.all->size(), "occluders");
   if (in.indices.size() != 1) throw py::value_error("occluder must be one number");
   return in.indices[0];
+}
+
+py::dict dict_of(const std::vector<std::pair<std::string, std::size_t>>& numbers) {
+  py::dict dict;
+  for (const auto& [name, number] : numbers) dict[name.c_str()] = number;
+  return dict;
 }
 
 }  // namespace
@@ -111,11 +128,10 @@ OccludersHolder occluders_in(const py::object& boxes, const OccluderArguments& m
     const CornersIn in(given, name);
     return all.add_polygons(in.corners, in.first);
   });
-  add(more.triangles, "triangles", [&](const py::object& given, const char* /*name*/) {
-    return add_triangles(all, given, more.faces, more.groups);
-  });
-  if (more.triangles.is_none() && (!more.faces.is_none() || !more.groups.is_none())) {
-    throw py::value_error("faces and groups are of triangles, which are not given");
+  add(more.triangles, "triangles",
+      [&](const py::object& given, const char* /*name*/) { return add_triangles(all, given, more, holder); });
+  if (more.triangles.is_none() && (!more.faces.is_none() || !more.groups.is_none() || more.find_solids)) {
+    throw py::value_error("faces, groups and find_solids are of triangles, which are not given");
   }
   holder.all = std::make_shared<const Occluders>(std::move(all));
   return holder;
@@ -158,6 +174,8 @@ hulls: convex hulls that are solid: float32 (n, k, 3), or a list of (k, 3), of 4
 polygons: flat convex polygons without thickness: such arrays, of 3 corners or more in order.
 triangles, faces: a mesh, float32 (n, 3, 3), or vertices (v, 3) with faces, integers (f, 3).
 groups: integers (g + 1,): group i has triangles groups[i] to groups[i + 1]. None: the library makes groups.
+find_solids: True finds bodies, walls and floors in the triangles, which make pairs 'occluded'. They are no
+    occluders: `found` says how many there are. Closed surfaces must face outwards to be bodies.
 rounding: 'outwards' takes `boxes` of float64, too, and contains them: a pair that is clear is so as given. The
     others are never rounded outwards, since a larger solid hides too much: use astype(numpy.float32).
 
@@ -165,19 +183,20 @@ BadBound, with the index, for a value that is not finite or lo > hi. TypeError, 
 names the argument that does not fit.)")
       .def(py::init([](const py::object& boxes, const py::object& solids, const py::object& hulls,
                        const py::object& polygons, const py::object& triangles, const py::object& faces,
-                       const py::object& groups, const py::object& rounding) {
-             return occluders_in(boxes, {solids, hulls, polygons, triangles, faces, groups}, rounding_in(rounding));
+                       const py::object& groups, bool find_solids, const py::object& rounding) {
+             return occluders_in(boxes, {solids, hulls, polygons, triangles, faces, groups, find_solids},
+                                 rounding_in(rounding));
            }),
            arg("boxes") = none, py::kw_only(), arg("solids") = none, arg("hulls") = none, arg("polygons") = none,
-           arg("triangles") = none, arg("faces") = none, arg("groups") = none, arg("rounding") = none)
+           arg("triangles") = none, arg("faces") = none, arg("groups") = none, arg("find_solids") = false,
+           arg("rounding") = none)
       .def("__len__", [](const OccludersHolder& self) { return self.all->size(); })
       .def_property_readonly(
-          "first",
-          [](const OccludersHolder& self) {
-            py::dict dict;
-            for (const auto& [name, number] : self.first) dict[name.c_str()] = number;
-            return dict;
-          },
+          "found", [](const OccludersHolder& self) { return dict_of(self.found); }, R"(
+How many solids were found in the triangles: a dict with 'hulls' (convex bodies), 'polygons' and
+'inner_boxes' (boxes inside other bodies); empty without find_solids.)")
+      .def_property_readonly(
+          "first", [](const OccludersHolder& self) { return dict_of(self.first); },
           R"(
 The number of the first occluder of each argument that was given: a dict such as
 {'solids': 0, 'triangles': 12}. Boxes are 'occluders'.)")

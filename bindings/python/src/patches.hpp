@@ -22,6 +22,7 @@ PatchSet patches_in(const py::object& boxes, const py::object& planes, const Rou
 struct OccludersHolder {
   std::shared_ptr<const Occluders> all;
   std::vector<std::pair<std::string, std::size_t>> first;  ///< the number of each argument's first occluder
+  std::vector<std::pair<std::string, std::size_t>> found;  ///< how many solids of each kind were found in triangles
 };
 
 /// All arguments that name occluders, except boxes.
@@ -32,6 +33,7 @@ struct OccluderArguments {
   const py::object& triangles;
   const py::object& faces;
   const py::object& groups;
+  bool find_solids = false;  ///< whether solids are looked for in the triangles
 };
 
 /// All occluders: of arrays, or those that shaftcull.Occluders holds. Errors name the arguments.

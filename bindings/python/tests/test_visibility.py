@@ -173,6 +173,9 @@ def test_occluders_of_all_sorts():
     assert said(hulls=[turned]) == said(hulls=turned[None]) == "occluded"
     assert said(triangles=triangle[None]) == "undecided"
     assert said(triangles=square, faces=[[0, 1, 2], [0, 2, 3]]) == "undecided"
+    found = sc.Occluders(triangles=square, faces=[[0, 1, 2], [0, 2, 3]], find_solids=True)
+    assert found.found == {"hulls": 0, "polygons": 1, "inner_boxes": 0} and len(found) == 1
+    assert said(occluders=found) == "occluded"
     assert said(planes=[1, 0, 0, 20]) == "facing_away"
     assert said(planes=[[1, 0, 0, 0], [-1, 0, 0, -10]]) == "clear"
     touching = np.array([0, 1, 0, 10, 2, 1], dtype=np.float32)
@@ -181,6 +184,7 @@ def test_occluders_of_all_sorts():
     five = np.repeat(triangle[None], 5, axis=0)
     solid = dict(solids=[box, box], hulls=[turned], polygons=[square])
     occluders = sc.Occluders(box, **solid, triangles=five, groups=[0, 2, 5])
+    assert occluders.found == {}
     assert len(occluders) == 7
     assert occluders.first == {"occluders": 0, "solids": 1, "hulls": 3, "polygons": 4, "triangles": 5}
     np.testing.assert_array_equal(occluders.box(2), box)
