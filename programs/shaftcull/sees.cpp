@@ -95,8 +95,11 @@ void add_sees(CLI::App& program) {
   sees.add_flag("--two-sided", options->choice.two_sided,
                 "Patches see on both sides; without it, where the right-hand normal of their triangle points");
   sees.add_option("--solid", options->choice.solid,
-                  "Objects that are solid, by name or pattern ('wall*'): convex, with 32 corners at most")
+                  "Objects that are solid, by name or pattern ('wall*'): convex, with 32 corners at most; others are "
+                  "skipped")
       ->type_name("NAME");
+  sees.add_flag("!--no-solids", options->choice.finds_solids,
+                "Look for no solids; without it, bodies and flat faces that hide pairs are found in the triangles");
   add_number(sees, "--rays", options->rays, 1, 1'000'000,
              "Decide undecided pairs by so many rays each; solids then hide nothing of what lies inside them")
       ->type_name("S");

@@ -43,14 +43,33 @@ double rate_of(const SeesReport& report) {
   return report.seconds > 0 ? static_cast<double>(report.counts.sights.total()) / report.seconds : 0;
 }
 
+/// What was found, and what was named and skipped, in lines.
+std::string solids_text(const SeesSolids& solids) {
+  std::string text;
+  const auto count = [](std::size_t n, const char* one, const char* more) {
+    return fmt::format("{} {}", grouped(n), n == 1 ? one : more);
+  };
+  if (solids.hulls + solids.polygons + solids.inner_boxes != 0) {
+    text += fmt::format("found solid: {}, {}, {}\n", count(solids.hulls, "convex body", "convex bodies"),
+                        count(solids.polygons, "flat polygon", "flat polygons"),
+                        count(solids.inner_boxes, "box inside others", "boxes inside others"));
+  }
+  if (solids.skipped != 0) {
+    text += fmt::format("--solid: skipped {} that cannot be solid; the first is {}\n",
+                        count(solids.skipped, "object", "objects"), printable(solids.skipped_because));
+  }
+  return text;
+}
+
 std::string text_of(const SeesReport& report) {
   const auto count = [](std::size_t n, const char* noun) {
     return fmt::format("{} {}{}", grouped(n), noun, n == 1 ? "" : "s");
   };
-  std::string text = fmt::format("{}: {}, {}, {} of at most {:.4g}, {}, {} of them solid\n\n", printable(report.source),
+  std::string text = fmt::format("{}: {}, {}, {} of at most {:.4g}, {}, {} of them solid\n", printable(report.source),
                                  count(report.objects, "object"), count(report.triangles, "triangle"),
                                  grouped(report.patches) + " patches", report.patch_size,
-                                 count(report.occluders, "occluder"), grouped(report.solids));
+                                 count(report.occluders, "occluder"), grouped(report.solids.named));
+  text += solids_text(report.solids) + "\n";
   Table table({"pairs of patches", "number", "share"});
   const auto add = [&](const char* words, std::uint64_t pairs) {
     table.add_row({words, grouped(pairs), fmt::format("{:.3f} %", 100 * share_of(report, pairs))});
@@ -77,13 +96,17 @@ std::string json_of(const SeesReport& report) {
   nlohmann::ordered_json pairs;
   for (const PairKind& kind : kinds_of(report)) pairs[kind.key] = kind.pairs;
   pairs["all"] = report.counts.sights.total();
+  nlohmann::ordered_json found{
+      {"hulls", report.solids.hulls}, {"polygons", report.solids.polygons}, {"inner_boxes", report.solids.inner_boxes}};
   const nlohmann::ordered_json root{{"scene", report.source},
                                     {"objects", report.objects},
                                     {"triangles", report.triangles},
                                     {"patches", report.patches},
                                     {"patch_size", report.patch_size},
                                     {"occluders", report.occluders},
-                                    {"solids", report.solids},
+                                    {"solids", report.solids.named},
+                                    {"solids_skipped", report.solids.skipped},
+                                    {"found", std::move(found)},
                                     {"rays", report.rays},
                                     {"pairs", std::move(pairs)},
                                     {"seconds", report.seconds},

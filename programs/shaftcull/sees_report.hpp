@@ -17,7 +17,7 @@ struct SeesReport {
   std::size_t patches;
   double patch_size;
   std::size_t occluders;
-  std::size_t solids;
+  SeesSolids solids;
   std::uint32_t rays;
   SeesCounts counts;
   double seconds;

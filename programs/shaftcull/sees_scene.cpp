@@ -11,6 +11,7 @@
 #include "name_pattern.hpp"
 #include "name_search.hpp"
 #include "shaftcull/error.hpp"
+#include "shaftcull/solids.hpp"
 #include "shaftcull/triangles.hpp"
 #include "solid_shape.hpp"
 
@@ -45,12 +46,52 @@ class OccluderMaker {
  public:
   explicit OccluderMaker(SeesScene& scene) : scene_(scene) {}
 
-  void make(const std::vector<bool>& is_solid) {
+  void make(std::vector<bool> is_solid, const SeesChoice& choice) {
+    const std::vector<SolidShape> shapes = take_shapes(is_solid);
     add_groups(is_solid);
-    add_solids(is_solid);
+    add_solids(is_solid, shapes);
+    if (choice.finds_solids) find_others(is_solid, choice);
   }
 
  private:
+  /// The shapes of objects that are named as solid. Those that cannot be are not solid any more.
+  std::vector<SolidShape> take_shapes(std::vector<bool>& is_solid) {
+    std::vector<std::vector<MeshTriangle>> of_object(is_solid.size());
+    for (const MeshTriangle& triangle : scene_.mesh.triangles) {
+      if (is_solid[triangle.object]) of_object[triangle.object].push_back(triangle);
+    }
+    std::vector<SolidShape> shapes(is_solid.size());
+    for (std::size_t object = 0; object < is_solid.size(); ++object) {
+      if (!is_solid[object]) continue;
+      shapes[object] = solid_shape(of_object[object]);
+      if (shapes[object].refusal.empty()) {
+        ++scene_.solids.named;
+        continue;
+      }
+      is_solid[object] = false;
+      if (scene_.solids.skipped++ == 0) {
+        scene_.solids.skipped_because = fmt::format("'{}': {}", scene_.mesh.names[object], shapes[object].refusal);
+      }
+    }
+    return shapes;
+  }
+
+  /// Solids in the triangles of all other objects. They hide, and are no occluders: their triangles are.
+  void find_others(const std::vector<bool>& is_solid, const SeesChoice& choice) {
+    std::vector<Triangle> triangles;
+    for (const MeshTriangle& triangle : scene_.mesh.triangles) {
+      if (!is_solid[triangle.object]) triangles.push_back({triangle.vertex});
+    }
+    // What is narrower than half a patch hides no patch. Patches that see on both sides have no inside.
+    const FoundSolids found =
+        find_solids(TriangleStream(triangles).view(),
+                    {.least_width = static_cast<float>(scene_.patch_size / 2), .bodies = !choice.two_sided});
+    scene_.occluders.add_found(found);
+    scene_.solids.hulls = found.hulls();
+    scene_.solids.polygons = found.polygons();
+    scene_.solids.inner_boxes = found.inner_boxes.size();
+  }
+
   void add_groups(const std::vector<bool>& is_solid) {
     std::vector<MeshTriangle> parted = scene_.mesh.triangles;
     const std::size_t parts = divide_into_parts(parted, triangles_of_a_group).size();
@@ -69,7 +110,7 @@ class OccluderMaker {
     if (!triangles.empty()) scene_.occluders.add_triangles(TriangleStream(triangles).view(), first);
   }
 
-  void add_solids(const std::vector<bool>& is_solid) {
+  void add_solids(const std::vector<bool>& is_solid, const std::vector<SolidShape>& shapes) {
     std::vector<std::vector<std::uint32_t>> of_object(is_solid.size());
     for (std::size_t i = 0; i < scene_.mesh.triangles.size(); ++i) {
       const std::uint32_t object = scene_.mesh.triangles[i].object;
@@ -82,13 +123,7 @@ class OccluderMaker {
     std::vector<std::vector<std::uint32_t>> of_hulls;
     for (std::size_t object = 0; object < is_solid.size(); ++object) {
       if (!is_solid[object]) continue;
-      std::vector<MeshTriangle> triangles;
-      for (const std::uint32_t i : of_object[object]) triangles.push_back(scene_.mesh.triangles[i]);
-      const SolidShape shape = solid_shape(triangles);
-      if (!shape.refusal.empty()) {
-        throw InvalidArgument(
-            fmt::format("--solid: '{}' cannot be solid: {}", scene_.mesh.names[object], shape.refusal));
-      }
+      const SolidShape& shape = shapes[object];
       if (shape.is_box) {
         boxes.push_back(scene_.mesh.boxes[object]);
         of_boxes.push_back(std::move(of_object[object]));
@@ -100,7 +135,6 @@ class OccluderMaker {
     }
     if (!boxes.empty()) scene_.occluders.add_solids(boxes);
     if (!corners.empty()) scene_.occluders.add_solid_hulls(corners, first);
-    scene_.solids = of_boxes.size() + of_hulls.size();
     for (auto* const list : {&of_boxes, &of_hulls}) {
       for (std::vector<std::uint32_t>& triangles : *list) scene_.occluder_triangles.push_back(std::move(triangles));
     }
@@ -112,7 +146,7 @@ class OccluderMaker {
 }  // namespace
 
 SeesScene make_sees_scene(MeshScene mesh, const SeesChoice& choice, const std::string& source) {
-  SeesScene scene{std::move(mesh), choice.patch_size, {}, {}, {}, {}, {}, 0};
+  SeesScene scene{std::move(mesh), choice.patch_size, {}, {}, {}, {}, {}, {}};
   if (scene.patch_size == 0) scene.patch_size = usual_patch_size(scene.mesh);
   scene.patches = split_into_patches(scene.mesh.triangles, scene.patch_size);
   if (scene.patches.empty()) {
@@ -123,7 +157,7 @@ SeesScene make_sees_scene(MeshScene mesh, const SeesChoice& choice, const std::s
     scene.boxes.push_back(box_of(patch));
     if (!choice.two_sided) scene.planes.push_back(plane_of(scene.mesh.triangles[patch.triangle]));
   }
-  OccluderMaker(scene).make(objects_of(scene.mesh, choice.solid, source));
+  OccluderMaker(scene).make(objects_of(scene.mesh, choice.solid, source), choice);
   return scene;
 }
 

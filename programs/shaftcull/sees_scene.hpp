@@ -17,6 +17,17 @@ struct SeesChoice {
   double patch_size = 0;           ///< 0: usual_patch_size()
   bool two_sided = false;          ///< patches have no planes
   std::vector<std::string> solid;  ///< names of objects, or patterns of names
+  bool finds_solids = true;        ///< solids are found in the triangles of all other objects
+};
+
+/// What hides pairs for certain, by how it came to be known.
+struct SeesSolids {
+  std::size_t named = 0;        ///< objects that the user named
+  std::size_t skipped = 0;      ///< named objects that cannot be solid
+  std::string skipped_because;  ///< the first of them, and why
+  std::size_t hulls = 0;        ///< as FoundSolids has them
+  std::size_t polygons = 0;     ///< likewise
+  std::size_t inner_boxes = 0;  ///< likewise
 };
 
 /// A mesh with its patches and occluders.
@@ -29,7 +40,7 @@ struct SeesScene {
   Occluders occluders;
   /// Of each occluder, as positions in mesh.triangles.
   std::vector<std::vector<std::uint32_t>> occluder_triangles;
-  std::size_t solids;  ///< how many objects are solid: the last so many occluders
+  SeesSolids solids;
 
   /// The object that an occluder is, or is part of.
   [[nodiscard]] std::uint32_t object_of_occluder(std::size_t occluder) const {
@@ -37,9 +48,10 @@ struct SeesScene {
   }
 };
 
-/// Triangles of objects that are not solid become occluders in groups of at most 32 neighbours of the same object.
-/// Throws InvalidArgument for a name in `choice.solid` that no object has, an object that is no convex body, and as
-/// split_into_patches(); `source` is what messages call the scene.
+/// Triangles of objects that are not named as solid become occluders in groups of at most 32 neighbours of the same
+/// object, and solids are looked for in them. An object that is named as solid and is no convex body counts as one that
+/// is not named. Throws InvalidArgument for a name in `choice.solid` that no object has, and as split_into_patches();
+/// `source` is what messages call the scene.
 [[nodiscard]] SeesScene make_sees_scene(MeshScene mesh, const SeesChoice& choice, const std::string& source);
 
 }  // namespace shaftcull::cli

@@ -16,7 +16,7 @@ inline constexpr std::size_t most_solid_corners = 32;
 /// What an object is as a solid.
 struct SolidShape {
   std::vector<Vec3> corners;  ///< those of its convex hull; vertices within its edges and faces are left out
-  bool is_box;                ///< it is the box around it
+  bool is_box = false;        ///< it is the box around it
   std::string refusal;        ///< why it is no solid: "it is not closed"; empty if it is one
 };
 

@@ -67,9 +67,14 @@ class CliSeesMesh : public testing::Test {
 
 TEST_F(CliSeesMesh, NothingBetweenIsClear) { EXPECT_THAT(across("", {}), Each("clear")); }
 
-TEST_F(CliSeesMesh, AWallIsUndecidedAndRaysMeetIt) {
-  EXPECT_THAT(across(upright_wall(), {}), Each("undecided"));
-  EXPECT_THAT(across(upright_wall(), {"--rays", "16"}), Each("undecided,0"));
+TEST_F(CliSeesMesh, AWallIsFoundAndBlocks) {
+  EXPECT_THAT(across(upright_wall(), {}), Each("occluded"));
+  EXPECT_THAT(across(upright_wall(), {"--rays", "16"}), Each("occluded,"));
+}
+
+TEST_F(CliSeesMesh, AWallThatIsNotLookedForIsUndecidedAndRaysMeetIt) {
+  EXPECT_THAT(across(upright_wall(), {"--no-solids"}), Each("undecided"));
+  EXPECT_THAT(across(upright_wall(), {"--no-solids", "--rays", "16"}), Each("undecided,0"));
 }
 
 TEST_F(CliSeesMesh, RaysPassBesideAPost) {
@@ -116,8 +121,8 @@ TEST_F(CliSeesMesh, FacetsThatTurnAwayFaceAwayUnlessTheyHaveTwoSides) {
 TEST_F(CliSeesMesh, ADentIsNotSolid) {
   std::string dented = upright_wall();
   dented.replace(dented.find("v 4 5 5"), 7, "v 5 1 1");
-  EXPECT_THAT(refusal_of({"sees", file(dented), "--solid", "wall"}),
-              HasSubstr("'wall' cannot be solid: it is not convex"));
+  EXPECT_THAT(output_of({"sees", file(dented), "--solid", "wall"}),
+              HasSubstr("--solid: skipped 1 object that cannot be solid; the first is 'wall': it is not convex\n"));
 }
 
 TEST_F(CliSeesMesh, FilesThatAreNotThereAreNamed) {

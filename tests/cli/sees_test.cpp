@@ -208,11 +208,32 @@ TEST(CliSees, ObjectsThatAreNotThereAreNamed) {
   static_cast<void>(refusal_of({"sees", "--rooms", "1", "--solid", "wall*", "door*"}));
 }
 
-TEST(CliSees, ObjectsThatAreNotSolidAreRefused) {
-  EXPECT_THAT(refusal_of({"sees", "--rooms", "1", "--solid", "floor"}),
-              HasSubstr("--solid: 'floor' cannot be solid: it is not closed"));
-  EXPECT_THAT(refusal_of({"sees", "--rooms", "1", "--solid", "ball 1"}),
-              HasSubstr("'ball 1' cannot be solid: it has 66 corners, and a solid has 32 at most"));
+TEST(CliSees, ObjectsThatCannotBeSolidAreSkipped) {
+  const std::vector<std::string> room{"sees", "--rooms", "1", "--patches", "1.5", "--solid"};
+  EXPECT_THAT(output_of(with(room, {"floor", "wall 1", "ball 1"})),
+              AllOf(HasSubstr("1 of them solid\n"),
+                    HasSubstr("--solid: skipped 2 objects that cannot be solid; the first is 'floor': it is not "
+                              "closed: an edge has one triangle, or more than two\n")));
+  EXPECT_THAT(output_of(with(room, {"ball 1"})), HasSubstr("it has 66 corners, and a solid has 32 at most"));
+  const Json skipped = Json::parse(output_of(with(room, {"floor", "wall 1", "--format", "json"})));
+  EXPECT_EQ(skipped["solids"], 1);
+  EXPECT_EQ(skipped["solids_skipped"], 1);
+}
+
+TEST(CliSees, SolidsAreFoundUnlessTheyAreNotWanted) {
+  const std::vector<std::string> room{"sees", "--rooms", "1", "--patches", "1.5", "--format", "json"};
+  const Json found = Json::parse(output_of(room));
+  EXPECT_EQ(found["solids"], 0);
+  EXPECT_GE(found["found"]["hulls"], 5);  // walls and the cupboard at least
+  const Json none = Json::parse(output_of(with(room, {"--no-solids"})));
+  EXPECT_EQ(none["found"], (Json{{"hulls", 0}, {"polygons", 0}, {"inner_boxes", 0}}));
+  EXPECT_EQ(none["pairs"]["occluded"], 0);
+  EXPECT_GT(found["pairs"]["occluded"], 0);
+  EXPECT_LT(found["pairs"]["undecided"], none["pairs"]["undecided"]);
+  EXPECT_EQ(found["pairs"]["clear"], none["pairs"]["clear"]);
+  EXPECT_THAT(output_of({"sees", "--rooms", "1", "--patches", "1.5"}), HasSubstr("found solid: "));
+  // Sheets that are seen from both sides have no inside.
+  EXPECT_EQ(Json::parse(output_of(with(room, {"--two-sided"})))["found"]["hulls"], 0);
 }
 
 TEST(CliSees, FilesThatCannotBeMadeAreRefused) {
