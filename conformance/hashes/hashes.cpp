@@ -37,6 +37,8 @@ constexpr Family all[] = {
      0x63f82ef2a7991e39U, 0x73567394115114abU},
     {"solids", "boxes that are joined, and boxes inside hulls", one_way, solids, 100, 24391, 0xb60212bc1b5d9965U,
      0x8d8d9514e575687dU},
+    {"found solids", "what is found in triangles: bodies, polygons and boxes inside bodies", one_way, found_solids, 200,
+     10000, 0xb4a73807e05a9356U, 0x5ac88759ec547d01U},
 };
 
 }  // namespace

@@ -57,5 +57,6 @@ std::uint64_t sphere_trees(std::uint64_t scenes, Way way);
 std::uint64_t triangle_trees(std::uint64_t scenes, Way way);
 std::uint64_t sights(std::uint64_t scenes, Way way);
 std::uint64_t solids(std::uint64_t scenes, Way way);
+std::uint64_t found_solids(std::uint64_t scenes, Way way);
 
 }  // namespace shaftcull::hashes

@@ -81,7 +81,7 @@ struct SolidSearch {
 /// a found hull or box and begins or ends outside the part. Triangles without area, slivers, duplicates and T-junctions
 /// make a part less closed, and less is found.
 ///
-/// The result is the same on every machine for the same triangles in the same order. O(n log n): about 0.2 s for
+/// The result is the same on every machine for the same triangles in the same order. O(n log n): about 0.3 s for
 /// 100,000 triangles. Allocates about 500 bytes per triangle while it runs. Throws BadBound, with the position, for a
 /// triangle that is not finite. Throws InvalidArgument as TriangleStream does, for 2³⁰ triangles or more, and for
 /// options out of range; std::bad_alloc.
