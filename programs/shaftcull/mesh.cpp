@@ -87,13 +87,16 @@ class Collector {
   void add_object(const aiString& name, std::span<const unsigned> meshes, const aiMatrix4x4& to_world) {
     const auto object = static_cast<std::uint32_t>(scene_.boxes.size());
     const std::string unique = unique_name(name.C_Str());
+    // A reflection turns the order of vertices round, and with it the side that a triangle faces.
+    const bool reflects = aiMatrix3x3(to_world).Determinant() < 0;
     Box whole = empty_box;
     std::uint32_t triangle = 0;
     for (const unsigned m : meshes) {
       const aiMesh& mesh = *file_.mMeshes[m];
       for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
         if (mesh.mFaces[f].mNumIndices == 0) continue;
-        const std::array<Vec3, 3> vertices = face_vertices(mesh, mesh.mFaces[f], to_world, unique);
+        std::array<Vec3, 3> vertices = face_vertices(mesh, mesh.mFaces[f], to_world, unique);
+        if (reflects) std::swap(vertices[1], vertices[2]);
         Box box = empty_box;
         for (const Vec3& vertex : vertices) grow(box, {vertex, vertex});
         grow(whole, box);

@@ -12,7 +12,8 @@
 
 namespace shaftcull::cli {
 
-/// A triangle of an object. Points and lines are triangles with vertices repeated.
+/// A triangle of an object, which faces where its right-hand normal points: as in the file, also if its node reflects
+/// it. Points and lines are triangles with vertices repeated.
 struct MeshTriangle {
   Box box;
   std::uint32_t object;

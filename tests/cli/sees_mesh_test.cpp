@@ -118,6 +118,32 @@ TEST_F(CliSeesMesh, FacetsThatTurnAwayFaceAwayUnlessTheyHaveTwoSides) {
   EXPECT_EQ(pairs({"--two-sided"})["clear"], 1);
 }
 
+/// A glTF file of one triangle, mesh 0, in the plane z = 0, with these nodes.
+std::string gltf_of_nodes(const std::vector<std::string>& nodes) {
+  std::string list;
+  std::string numbers;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    list += (i == 0 ? "" : ",") + nodes[i];
+    numbers += (i == 0 ? "" : ",") + std::to_string(i);
+  }
+  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[)" + numbers + R"(]}],"nodes":[)" + list +
+         R"(],"meshes":[{"name":"leaf","primitives":[{"attributes":{"POSITION":0}}]}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],
+"bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,)"
+         "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA\"}]}";
+}
+
+TEST_F(CliSeesMesh, ANodeThatReflectsFacesAsItsMeshDoes) {
+  const auto pairs = [&](const std::string& ceiling) {
+    const std::string file = folder_.write("room.gltf", gltf_of_nodes({R"({"name":"floor","mesh":0})", ceiling}));
+    return nlohmann::json::parse(output_of({"sees", file, "--patches", "9", "--format", "json"}))["pairs"];
+  };
+  EXPECT_EQ(pairs(R"({"name":"ceiling","mesh":0,"translation":[0,0,2],"scale":[1,1,-1]})")["clear"], 1);
+  EXPECT_EQ(pairs(R"({"name":"ceiling","mesh":0,"translation":[0,1,2],"rotation":[1,0,0,0]})")["clear"], 1);
+  EXPECT_EQ(pairs(R"({"name":"ceiling","mesh":0,"translation":[0,0,2],"scale":[-1,-1,-1]})")["clear"], 1);
+  EXPECT_EQ(pairs(R"({"name":"ceiling","mesh":0,"translation":[0,0,2],"scale":[-1,-1,1]})")["facing_away"], 1);
+}
+
 TEST_F(CliSeesMesh, ADentIsNotSolid) {
   std::string dented = upright_wall();
   dented.replace(dented.find("v 4 5 5"), 7, "v 5 1 1");
