@@ -258,7 +258,7 @@ void show_rooms(const DemoOptions& options, const Workers& workers, Console& con
   const SeesScene scene = make_sees_scene(make_rooms(rooms, 1), choice, source);
   const SeesBlocks patches(scene.boxes, scene.planes);
   SeesReport report{};
-  workers.run([&] { report = run_sees(scene, patches, {}, source, {}, console.progress, console.interrupt); });
+  workers.run([&] { report = run_sees(scene, patches, {}, source, "", {}, console.progress, console.interrupt); });
   fmt::print("\nWhat sees what in {}\n", format_report(report, ReportFormat::text));
   fmt::print(
       "Walls and furniture are solid. What is clear, occluded or facing away is proven; rays are needed for undecided "

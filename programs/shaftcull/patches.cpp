@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include <fmt/format.h>
@@ -14,6 +15,8 @@ namespace shaftcull::cli {
 namespace {
 
 constexpr double patches_across = 32;
+/// By which patches grow until there are few enough: about a third fewer each time.
+constexpr double growth = 1.2;
 
 double distance_squared(const Point3& p, const Point3& q) {
   double sum = 0;
@@ -21,8 +24,9 @@ double distance_squared(const Point3& p, const Point3& q) {
   return sum;
 }
 
-/// Adds what a patch is split into.
-void split_patch(const MeshPatch& patch, double size, std::vector<MeshPatch>& patches) {
+/// Calls take(patch) of each patch that one is split into, until it returns false. Then returns false.
+template <class Take>
+bool split_patch(const MeshPatch& patch, double size, const Take& take) {
   std::size_t longest = 0;
   double length = -1;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -32,14 +36,7 @@ void split_patch(const MeshPatch& patch, double size, std::vector<MeshPatch>& pa
       length = edge;
     }
   }
-  if (length <= size * size) {
-    if (patches.size() == most_patches) {
-      throw InvalidArgument(fmt::format("--patches {}: there would be more than {} patches; give a larger size", size,
-                                        grouped(most_patches)));
-    }
-    patches.push_back(patch);
-    return;
-  }
+  if (length <= size * size) return take(patch);
   const std::size_t next = (longest + 1) % 3;
   Point3 middle{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -47,10 +44,29 @@ void split_patch(const MeshPatch& patch, double size, std::vector<MeshPatch>& pa
   }
   MeshPatch half = patch;
   half.corner[next] = middle;
-  split_patch(half, size, patches);
+  if (!split_patch(half, size, take)) return false;
   half = patch;
   half.corner[longest] = middle;
-  split_patch(half, size, patches);
+  return split_patch(half, size, take);
+}
+
+/// Likewise of all triangles that have an area.
+template <class Take>
+void split_triangles(std::span<const MeshTriangle> triangles, double size, const Take& take) {
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    if (normal_of(triangles[i]) == Point3{}) continue;
+    MeshPatch whole{{}, static_cast<std::uint32_t>(i)};
+    for (std::size_t v = 0; v < 3; ++v) whole.corner[v] = in_doubles(triangles[i].vertex[v]);
+    if (!split_patch(whole, size, take)) return;
+  }
+}
+
+/// The least number of four significant digits that is not below `x`, above 0.
+double rounded_up_to_digits(double x) {
+  const double unit = std::pow(10, std::floor(std::log10(x)) - 3);
+  // Through text, where 7143 units of 0.0001 are 0.7143.
+  const double rounded = std::strtod(fmt::format("{:.3e}", std::ceil(x / unit) * unit).c_str(), nullptr);
+  return std::isfinite(rounded) && rounded >= x ? rounded : x;
 }
 
 float rounded_down(double x) {
@@ -72,17 +88,31 @@ double usual_patch_size(const MeshScene& scene) {
       longest = std::max(longest, double{all.hi[axis]} - double{all.lo[axis]});
     }
   }
-  return longest / patches_across;
+  if (longest == 0) return 1;
+  double size = longest / patches_across;
+  // No edge is twice as long as the scene.
+  while (size < 2 * longest && count_patches(scene.triangles, size, most_usual_patches + 1) > most_usual_patches) {
+    size *= growth;
+  }
+  return rounded_up_to_digits(size);
+}
+
+std::size_t count_patches(std::span<const MeshTriangle> triangles, double size, std::size_t most) {
+  std::size_t count = 0;
+  split_triangles(triangles, size, [&](const MeshPatch&) { return ++count < most; });
+  return count;
 }
 
 std::vector<MeshPatch> split_into_patches(std::span<const MeshTriangle> triangles, double size) {
   std::vector<MeshPatch> patches;
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    if (normal_of(triangles[i]) == Point3{}) continue;
-    MeshPatch whole{{}, static_cast<std::uint32_t>(i)};
-    for (std::size_t v = 0; v < 3; ++v) whole.corner[v] = in_doubles(triangles[i].vertex[v]);
-    split_patch(whole, size, patches);
-  }
+  split_triangles(triangles, size, [&](const MeshPatch& patch) {
+    if (patches.size() == most_patches) {
+      throw InvalidArgument(fmt::format("--patches {}: there would be more than {} patches; give a larger size", size,
+                                        grouped(most_patches)));
+    }
+    patches.push_back(patch);
+    return true;
+  });
   return patches;
 }
 

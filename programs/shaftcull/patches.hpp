@@ -15,6 +15,8 @@ namespace shaftcull::cli {
 
 /// More would be pairs for weeks.
 inline constexpr std::size_t most_patches = 4'000'000;
+/// What triangles are split into at most if the user does not say: 500 million pairs, a matter of seconds.
+inline constexpr std::size_t most_usual_patches = 31'623;
 
 /// A triangle of the mesh, or a part of one. It lies in the plane of its triangle but for the rounding of doubles.
 struct MeshPatch {
@@ -22,8 +24,12 @@ struct MeshPatch {
   std::uint32_t triangle;  ///< position in MeshScene::triangles
 };
 
-/// A 32nd of the longest side of the scene: what patches are split to if the user does not say.
+/// What patches are split to if the user does not say: a 32nd of the longest side of the scene, or more where that
+/// would be more than most_usual_patches; rounded up to a short number.
 [[nodiscard]] double usual_patch_size(const MeshScene& scene);
+
+/// How many patches split_into_patches() would make, but `most` if these are more.
+[[nodiscard]] std::size_t count_patches(std::span<const MeshTriangle> triangles, double size, std::size_t most);
 
 /// Halves triangles across their longest edge until no edge is longer than `size`, which is above 0. Triangles without
 /// an area give no patches. Throws InvalidArgument if there would be more

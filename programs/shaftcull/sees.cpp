@@ -12,8 +12,8 @@
 
 #include "number.hpp"
 #include "peak_memory.hpp"
-#include "printable.hpp"
 #include "rooms.hpp"
+#include "sees_estimate.hpp"
 #include "sees_job.hpp"
 #include "sees_ranks.hpp"
 #include "subcommand.hpp"
@@ -36,8 +36,9 @@ void run(const SeesOptions& options) {
   {
     Progress progress;
     const InterruptWatch interrupt;
-    workers.run(
-        [&] { report = run_sees(job.scene(), job.patches(), job.work(), job.source(), sinks, progress, interrupt); });
+    workers.run([&] {
+      report = run_sees(job.scene(), job.patches(), job.work(), job.source(), options.out, sinks, progress, interrupt);
+    });
   }
   job.finish(report, picture.get());
 }
@@ -55,7 +56,11 @@ std::string progress_text(const VisibilityProgress& progress, double seconds) {
 }
 
 SeesReport run_sees(const SeesScene& scene, const SeesBlocks& patches, SeesWork work, const std::string& source,
-                    std::span<SightSink* const> sinks, Progress& progress, const InterruptWatch& interrupt) {
+                    const std::string& out, std::span<SightSink* const> sinks, Progress& progress,
+                    const InterruptWatch& interrupt) {
+  progress.milestone(announcement(source, patches));
+  const std::string likely = estimate(scene, patches, work, out, !sinks.empty(), 1);
+  if (!likely.empty()) progress.milestone(likely);
   const auto begin = std::chrono::steady_clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
   VisibilityProgress last{};
@@ -65,9 +70,6 @@ SeesReport run_sees(const SeesScene& scene, const SeesBlocks& patches, SeesWork 
     return interrupt.signal() == 0;
   };
   work.stops = [&] { return interrupt.signal() != 0; };
-  const std::uint64_t pairs = patches.pairs();
-  progress.milestone(
-      fmt::format("{}: {} patches, {} pairs", printable(source), grouped(patches.size()), grouped(pairs)));
   SeesReport report = report_of(scene, work, source);
   try {
     report.counts = find_what_sees(scene, patches, work, sinks);
@@ -89,8 +91,9 @@ void add_sees(CLI::App& program) {
   CLI::Option* rooms = add_number(sees, "--rooms", options->rooms, 1, most_rooms,
                                   "Instead of a file: so many rooms with doors and furniture, made from --seed")
                            ->type_name("N");
-  add_number(sees, "--patches", options->choice.patch_size, 1e-30, 1e30,
-             "Triangles are split until no edge is longer (default: a 32nd of the scene)")
+  add_number(
+      sees, "--patches", options->choice.patch_size, 1e-30, 1e30,
+      "Triangles are split until no edge is longer (default: a 32nd of the scene, or more for 500 million pairs)")
       ->type_name("SIZE");
   sees.add_flag("--two-sided", options->choice.two_sided,
                 "Patches see on both sides; without it, where the right-hand normal of their triangle points");
@@ -100,13 +103,17 @@ void add_sees(CLI::App& program) {
       ->type_name("NAME");
   sees.add_flag("!--no-solids", options->choice.finds_solids,
                 "Look for no solids; without it, bodies and flat faces that hide pairs are found in the triangles");
-  add_number(sees, "--rays", options->rays, 1, 1'000'000,
+  add_number(sees, "--rays", options->content.rays, 1, 1'000'000,
              "Decide undecided pairs by so many rays each; solids then hide nothing of what lies inside them")
       ->type_name("S");
   add_number(sees, "--seed", options->seed, 0, largest_seed, "Seed of --rays and --rooms (default: 1)")->type_name("S");
-  sees.add_option("--out", options->out,
-                  "Write all answers to a file: .npz, for NumPy, or .csv; - is standard output (CSV)")
-      ->type_name("FILE");
+  CLI::Option* out =
+      sees.add_option("--out", options->out,
+                      "Write all answers to a file: .npz, for NumPy, or .csv; - is standard output (CSV)")
+          ->type_name("FILE");
+  sees.add_flag("--candidates", options->content.candidates,
+                "With --out FILE.npz: also which occluders reach between undecided pairs")
+      ->needs(out);
   CLI::Option* svg =
       sees.add_option("--svg", options->svg,
                       "Draw patches from above, coloured by what share of the others they see; - is standard "

@@ -28,15 +28,21 @@ SceneArray made_array(NpyFormat format, std::size_t rows, RowOf row_of) {
 
 }  // namespace
 
-std::vector<NpyFormat> answer_arrays(std::uint32_t rays) {
-  std::vector<NpyFormat> formats{
-      {"products", "<u4", {5}}, {"undecided", "<u4", {2}}, {"first_candidate", "<u8"}, {"candidates", "<u4"}};
-  if (rays != 0) formats.push_back({"seen", "<u4"});
-  return formats;
+std::vector<AnswerArray> answer_arrays(const SightContent& content) {
+  std::vector<AnswerArray> arrays{{AnswerKind::products, {"products", "<u4", {5}}},
+                                  {AnswerKind::undecided, {"undecided", "<u4", {2}}}};
+  if (content.rays != 0) arrays.push_back({AnswerKind::seen, {"seen", "<u4"}});
+  if (content.candidates) {
+    arrays.push_back({AnswerKind::first_candidate, {"first_candidate", "<u8"}});
+    arrays.push_back({AnswerKind::candidates, {"candidates", "<u4"}});
+  }
+  return arrays;
 }
 
-std::vector<SceneArray> scene_arrays(const SeesScene& scene, std::span<const std::uint32_t> order, std::uint32_t rays) {
+std::vector<SceneArray> scene_arrays(const SeesScene& scene, std::span<const std::uint32_t> order,
+                                     const SightContent& content) {
   std::vector<SceneArray> arrays;
+  const std::uint32_t rays = content.rays;
   if (rays != 0) arrays.push_back(made_array({"rays", "<u4"}, 1, [rays](std::size_t) { return rays; }));
   arrays.push_back(array_of({"order", "<u4"}, order));
   arrays.push_back(array_of({"patch_boxes", "<f4", {2, 3}}, std::span<const Box>(scene.boxes)));

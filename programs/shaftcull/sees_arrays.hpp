@@ -9,13 +9,20 @@
 #include <vector>
 
 #include "npz_layout.hpp"
-#include "sees_scene.hpp"
+#include "sees_run.hpp"
 
 namespace shaftcull::cli {
 
-/// Arrays that answers are put into, in the order in which they begin the file. `seen` is there with rays.
-enum AnswerArray : std::size_t { products_array, undecided_array, first_candidate_array, candidates_array, seen_array };
-[[nodiscard]] std::vector<NpyFormat> answer_arrays(std::uint32_t rays);
+/// What an array of answers holds.
+enum class AnswerKind : std::uint8_t { products, undecided, seen, first_candidate, candidates };
+struct AnswerArray {
+  AnswerKind kind;
+  NpyFormat format;
+};
+
+/// Arrays that answers are put into, in the order in which they begin the file: `seen` if there are rays,
+/// `first_candidate` and behind it `candidates` if those are wanted.
+[[nodiscard]] std::vector<AnswerArray> answer_arrays(const SightContent& content);
 
 /// What `first_candidate` begins with, before the first unit.
 constexpr std::uint64_t no_candidate_before = 0;
@@ -28,8 +35,8 @@ struct SceneArray {
   std::function<void(const std::function<void(std::span<const std::byte>)>& take)> pour;
 };
 
-/// Those behind the others. They refer to what they are given. `rays` is 0 without.
+/// Those behind the others. They refer to what they are given.
 [[nodiscard]] std::vector<SceneArray> scene_arrays(const SeesScene& scene, std::span<const std::uint32_t> order,
-                                                   std::uint32_t rays);
+                                                   const SightContent& content);
 
 }  // namespace shaftcull::cli

@@ -29,6 +29,11 @@ void require_pairs_for_csv(const std::string& path, std::uint64_t patches) {
                                     path, grouped(pairs), grouped(most_csv_pairs)));
 }
 
+void require_no_candidates(const std::string& path, const SightContent& content) {
+  if (!content.candidates) return;
+  throw InvalidArgument(fmt::format("--out {} --candidates: a CSV file has no candidates; give an .npz file", path));
+}
+
 std::string_view csv_heading(std::uint32_t rays) { return rays != 0 ? "a,b,sight,seen\n" : "a,b,sight\n"; }
 
 void CsvLines::take(const SightBatch& batch, std::span<const std::uint32_t> seen) {

@@ -17,6 +17,8 @@ namespace shaftcull::cli {
 
 /// Throws InvalidArgument if a CSV file may not have all pairs of so many patches. The file is called `path`.
 void require_pairs_for_csv(const std::string& path, std::uint64_t patches);
+/// Throws InvalidArgument if candidates are wanted, which have no place in a CSV file.
+void require_no_candidates(const std::string& path, const SightContent& content);
 
 /// The line that a file begins with.
 [[nodiscard]] std::string_view csv_heading(std::uint32_t rays);

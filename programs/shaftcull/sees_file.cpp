@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Answers of `shaftcull sees` in files that one process writes while they come.
 #include <array>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -16,11 +17,14 @@ namespace {
 
 class NpzSights final : public SightSink {
  public:
-  NpzSights(const std::string& path, const SeesScene& scene, std::span<const std::uint32_t> order, std::uint32_t rays)
+  NpzSights(const std::string& path, const SeesScene& scene, std::span<const std::uint32_t> order,
+            const SightContent& content)
       : file_(path) {
-    for (NpyFormat& format : answer_arrays(rays)) arrays_.push_back(&file_.add(std::move(format)));
-    append(first_candidate_array, std::span(&no_candidate_before, 1));
-    for (SceneArray& known : scene_arrays(scene, order, rays)) {
+    for (AnswerArray& array : answer_arrays(content)) {
+      arrays_.emplace_back(array.kind, &file_.add(std::move(array.format)));
+      if (array.kind == AnswerKind::first_candidate) arrays_.back().second->append(std::span(&no_candidate_before, 1));
+    }
+    for (SceneArray& known : scene_arrays(scene, order, content)) {
       NpyArray& array = file_.add(std::move(known.format));
       known.pour([&](std::span<const std::byte> bytes) { array.append(bytes); });
     }
@@ -32,16 +36,28 @@ class NpzSights final : public SightSink {
       rows_.push_back({product.a.first, product.a.count, product.b.first, product.b.count,
                        static_cast<std::uint32_t>(product.sight)});
     }
-    append(products_array, std::span<const ProductRow>(rows_));
-    append(undecided_array, batch.undecided.pairs);
-    append(candidates_array, batch.undecided.candidates);
     ends_.clear();
-    for (std::size_t i = 0; i < batch.undecided.pairs.size(); ++i) {
-      ends_.push_back(candidate_count_ + batch.undecided.first_candidate[i + 1]);
-    }
-    append(first_candidate_array, std::span<const std::uint64_t>(ends_));
+    for (const std::size_t end : ends_of(batch.undecided)) ends_.push_back(candidate_count_ + end);
     candidate_count_ += batch.undecided.candidates.size();
-    if (arrays_.size() > seen_array) append(seen_array, seen);
+    for (const auto& [kind, array] : arrays_) {
+      switch (kind) {
+        case AnswerKind::products:
+          array->append(std::span<const ProductRow>(rows_));
+          break;
+        case AnswerKind::undecided:
+          array->append(batch.undecided.pairs);
+          break;
+        case AnswerKind::seen:
+          array->append(seen);
+          break;
+        case AnswerKind::first_candidate:
+          array->append(std::span<const std::uint64_t>(ends_));
+          break;
+        case AnswerKind::candidates:
+          array->append(batch.undecided.candidates);
+          break;
+      }
+    }
   }
 
   void finish() override { file_.finish(); }
@@ -49,13 +65,8 @@ class NpzSights final : public SightSink {
  private:
   using ProductRow = std::array<std::uint32_t, 5>;
 
-  template <class T>
-  void append(AnswerArray array, std::span<const T> rows) {
-    arrays_[array]->append(rows);
-  }
-
   NpzFile file_;
-  std::vector<NpyArray*> arrays_;  ///< those of answers, by AnswerArray
+  std::vector<std::pair<AnswerKind, NpyArray*>> arrays_;  ///< those of answers
   std::uint64_t candidate_count_ = 0;
   std::vector<ProductRow> rows_;
   std::vector<std::uint64_t> ends_;
@@ -98,9 +109,10 @@ SightForm sight_form(const std::string& path, std::uint64_t patches) {
 }
 
 std::unique_ptr<SightSink> sight_file(const std::string& path, const SeesScene& scene,
-                                      std::span<const std::uint32_t> order, std::uint32_t rays) {
-  if (sight_form(path, order.size()) == SightForm::npz) return std::make_unique<NpzSights>(path, scene, order, rays);
-  return std::make_unique<CsvSights>(path, order, rays);
+                                      std::span<const std::uint32_t> order, const SightContent& content) {
+  if (sight_form(path, order.size()) == SightForm::npz) return std::make_unique<NpzSights>(path, scene, order, content);
+  require_no_candidates(path, content);
+  return std::make_unique<CsvSights>(path, order, content.rays);
 }
 
 }  // namespace shaftcull::cli

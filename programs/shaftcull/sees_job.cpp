@@ -36,11 +36,11 @@ void SeesJob::prepare() {
   patches_.emplace(scene_->boxes, scene_->planes);
 }
 
-SeesWork SeesJob::work() const { return {options_.rays, options_.seed, options_.megabytes << 20, {}, {}}; }
+SeesWork SeesJob::work() const { return {options_.content, options_.seed, options_.megabytes << 20, {}, {}}; }
 
 std::span<SightSink* const> SeesJob::open() {
   if (!options_.out.empty()) {
-    file_ = sight_file(options_.out, *scene_, patches_->order(), options_.rays);
+    file_ = sight_file(options_.out, *scene_, patches_->order(), options_.content);
     sinks_.push_back(file_.get());
   }
   if (SeenShares* const shares = open_shares()) sinks_.push_back(shares);
@@ -48,7 +48,7 @@ std::span<SightSink* const> SeesJob::open() {
 }
 
 SeenShares* SeesJob::open_shares() {
-  return options_.svg.empty() ? nullptr : &shares_.emplace(patches_->order(), options_.rays);
+  return options_.svg.empty() ? nullptr : &shares_.emplace(patches_->order(), options_.content.rays);
 }
 
 std::unique_ptr<OutputFile> SeesJob::open_picture() const {
@@ -74,7 +74,7 @@ SeesReport report_of(const SeesScene& scene, const SeesWork& work, const std::st
           scene.patch_size,
           scene.occluders.size(),
           scene.solids,
-          work.rays,
+          work.content.rays,
           {},
           0,
           concurrency(),

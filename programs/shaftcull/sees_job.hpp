@@ -21,7 +21,7 @@ struct SeesOptions {
   std::string path;
   std::size_t rooms = 0;
   SeesChoice choice;
-  std::uint32_t rays = 0;
+  SightContent content;
   std::uint64_t seed = 1;
   std::size_t megabytes = 256;
   std::string out;

@@ -24,16 +24,16 @@ std::uint64_t sum_before(std::span<std::uint64_t> numbers) {
 /// Arrays of answers get rows from each unit; those of the scene are other pieces.
 class NpzPlaces final : public SightPlaces {
  public:
-  NpzPlaces(const SeesScene& scene, const SeesBlocks& patches, std::uint32_t rays)
+  NpzPlaces(const SeesScene& scene, const SeesBlocks& patches, const SightContent& content)
       : units_(patches.units()),
-        answers_(answer_arrays(rays)),
-        scene_(scene_arrays(scene, patches.order(), rays)),
+        answers_(answer_arrays(content)),
+        scene_(scene_arrays(scene, patches.order(), content)),
         rows_(answers_.size() * units_),
         crcs_(answers_.size() * units_ + scene_.size()) {}
 
   void measure(std::size_t unit, const UnitAnswer& answer) override {
     for (std::size_t array = 0; array != answers_.size(); ++array) {
-      rows_[array * units_ + unit] = rows_of(answer, array).size() / answers_[array].row_bytes();
+      rows_[array * units_ + unit] = rows_of(answer, array).size() / answers_[array].format.row_bytes();
     }
   }
 
@@ -42,7 +42,7 @@ class NpzPlaces final : public SightPlaces {
   void arrange() override {
     for (std::size_t array = 0; array != answers_.size(); ++array) {
       const std::uint64_t rows = sum_before(std::span(rows_).subspan(array * units_, units_));
-      layout_.add(answers_[array], rows + (array == first_candidate_array ? 1 : 0));
+      layout_.add(answers_[array].format, rows + first_row_of(array));
       all_rows_.push_back(rows);
     }
     for (const SceneArray& array : scene_) layout_.add(array.format, array.rows);
@@ -62,11 +62,14 @@ class NpzPlaces final : public SightPlaces {
   }
 
   void write_unit(std::size_t unit, const UnitAnswer& answer, batch::WrittenFile& file) override {
-    std::vector<std::uint64_t> ends = answer.ends;
-    for (std::uint64_t& end : ends) end += rows_[candidates_array * units_ + unit];
     for (std::size_t array = 0; array != answers_.size(); ++array) {
       std::span<const std::byte> rows = rows_of(answer, array);
-      if (array == first_candidate_array) rows = std::as_bytes(std::span(ends));
+      std::vector<std::uint64_t> ends;
+      if (answers_[array].kind == AnswerKind::first_candidate) {
+        ends = answer.ends;
+        for (std::uint64_t& end : ends) end += rows_[(array + 1) * units_ + unit];  // candidates come next
+        rows = std::as_bytes(std::span(ends));
+      }
       crcs_[array * units_ + unit] = crc32_of(rows);
       file.write_at(place_of(array, unit), rows);
     }
@@ -75,9 +78,13 @@ class NpzPlaces final : public SightPlaces {
   std::span<std::uint64_t> sums() override { return crcs_; }
 
   void complete(batch::WrittenFile& file) const override {
-    file.write_at(layout_.place_of_numbers(first_candidate_array), std::as_bytes(std::span(&no_candidate_before, 1)));
     std::vector<std::uint32_t> crcs;
-    for (std::size_t array = 0; array != answers_.size(); ++array) crcs.push_back(crc_of_answers(array));
+    for (std::size_t array = 0; array != answers_.size(); ++array) {
+      if (first_row_of(array) == 1) {
+        file.write_at(layout_.place_of_numbers(array), std::as_bytes(std::span(&no_candidate_before, 1)));
+      }
+      crcs.push_back(crc_of_answers(array));
+    }
     for (const std::uint64_t crc : std::span(crcs_).subspan(answers_.size() * units_)) {
       crcs.push_back(static_cast<std::uint32_t>(crc));
     }
@@ -92,29 +99,35 @@ class NpzPlaces final : public SightPlaces {
 
  private:
   /// What a unit puts into an array of answers, `first_candidate` without candidates of units before.
-  static std::span<const std::byte> rows_of(const UnitAnswer& answer, std::size_t array) {
-    switch (array) {
-      case products_array:
+  [[nodiscard]] std::span<const std::byte> rows_of(const UnitAnswer& answer, std::size_t array) const {
+    switch (answers_[array].kind) {
+      case AnswerKind::products:
         return std::as_bytes(std::span(answer.products));
-      case undecided_array:
+      case AnswerKind::undecided:
         return std::as_bytes(std::span(answer.undecided));
-      case first_candidate_array:
-        return std::as_bytes(std::span(answer.ends));
-      case candidates_array:
-        return std::as_bytes(std::span(answer.candidates));
-      default:
+      case AnswerKind::seen:
         return std::as_bytes(std::span(answer.seen));
+      case AnswerKind::first_candidate:
+        return std::as_bytes(std::span(answer.ends));
+      case AnswerKind::candidates:
+        break;
     }
+    return std::as_bytes(std::span(answer.candidates));
+  }
+
+  /// How many rows an array has before those of units: `first_candidate` one, of no candidate.
+  [[nodiscard]] std::uint64_t first_row_of(std::size_t array) const {
+    return answers_[array].kind == AnswerKind::first_candidate ? 1 : 0;
   }
 
   [[nodiscard]] std::uint64_t place_of(std::size_t array, std::size_t unit) const {
-    const std::uint64_t before = rows_[array * units_ + unit] + (array == first_candidate_array ? 1 : 0);
-    return layout_.place_of_numbers(array) + before * answers_[array].row_bytes();
+    const std::uint64_t before = rows_[array * units_ + unit] + first_row_of(array);
+    return layout_.place_of_numbers(array) + before * answers_[array].format.row_bytes();
   }
 
   [[nodiscard]] std::uint32_t crc_of_answers(std::size_t array) const {
     std::uint32_t crc = 0;
-    if (array == first_candidate_array) crc = crc32_of(std::as_bytes(std::span(&no_candidate_before, 1)));
+    if (first_row_of(array) == 1) crc = crc32_of(std::as_bytes(std::span(&no_candidate_before, 1)));
     const auto of_units = [&](const std::vector<std::uint64_t>& numbers) {
       return std::span(numbers).subspan(array * units_, units_);
     };
@@ -122,14 +135,14 @@ class NpzPlaces final : public SightPlaces {
     const std::span<const std::uint64_t> crcs = of_units(crcs_);
     for (std::size_t unit = 0; unit != units_; ++unit) {
       const std::uint64_t end = unit + 1 != units_ ? begins[unit + 1] : all_rows_[array];
-      crc =
-          joined_crc32(crc, static_cast<std::uint32_t>(crcs[unit]), (end - begins[unit]) * answers_[array].row_bytes());
+      crc = joined_crc32(crc, static_cast<std::uint32_t>(crcs[unit]),
+                         (end - begins[unit]) * answers_[array].format.row_bytes());
     }
     return crc;
   }
 
   std::size_t units_;
-  std::vector<NpyFormat> answers_;
+  std::vector<AnswerArray> answers_;
   std::vector<SceneArray> scene_;
   std::vector<std::uint64_t> rows_;  ///< of each array that of each unit; when places are found, of units before it
   std::vector<std::uint64_t> crcs_;  ///< of numbers, likewise of each unit; then those of each array of the scene
@@ -209,9 +222,10 @@ void PlacedBytes::finish() {
 }
 
 std::unique_ptr<SightPlaces> sight_places(const std::string& path, const SeesScene& scene, const SeesBlocks& patches,
-                                          std::uint32_t rays) {
-  if (sight_form(path, patches.size()) == SightForm::npz) return std::make_unique<NpzPlaces>(scene, patches, rays);
-  return std::make_unique<CsvPlaces>(patches, rays);
+                                          const SightContent& content) {
+  if (sight_form(path, patches.size()) == SightForm::npz) return std::make_unique<NpzPlaces>(scene, patches, content);
+  require_no_candidates(path, content);
+  return std::make_unique<CsvPlaces>(patches, content.rays);
 }
 
 }  // namespace shaftcull::cli

@@ -47,7 +47,7 @@ class SightPlaces {
 /// For such a file as sight_file() makes, not a stream; of so many units. Throws as that does, but makes no file.
 /// Refers to the scene and the order.
 [[nodiscard]] std::unique_ptr<SightPlaces> sight_places(const std::string& path, const SeesScene& scene,
-                                                        const SeesBlocks& patches, std::uint32_t rays);
+                                                        const SeesBlocks& patches, const SightContent& content);
 
 /// Writes bytes one behind the other from some place on, many at a time.
 class PlacedBytes {

@@ -24,6 +24,7 @@
 #include "output_file.hpp"
 #include "peak_memory.hpp"
 #include "ranked_run.hpp"
+#include "sees_estimate.hpp"
 #include "sees_places.hpp"
 #include "shaftcull/error.hpp"
 #include "shaftcull/many.hpp"
@@ -78,6 +79,7 @@ class RankedSees {
     batch::on_all(ranks_, [&] { job_.prepare(); });
     describe();
     batch::on_all(ranks_, [&] { begin_files(); });
+    batch::on_first(ranks_, [&] { announce(); });
     if (keeps_) {
       const std::string text = batch::text_of(description_);
       store_.emplace(folder_.path(), batch::fingerprint(std::as_bytes(std::span(text))), ranks_.rank());
@@ -98,16 +100,24 @@ class RankedSees {
     batch::agree_on(ranks_, scene, fmt::format("{} has other patches there than for rank 0", job_.source()));
     description_ = {{"version", surroundings_.version},
                     {"scene", fmt::format("{} patches, {:016x}", job_.patches().size(), scene)},
-                    {"rays", fmt::format("{}", options.rays)},
+                    {"rays", fmt::format("{}", options.content.rays)},
+                    {"candidates", options.content.candidates ? "written" : "not written"},
                     {"seed", fmt::format("{}", options.seed)}};
     const std::string text = batch::text_of(description_) + options.out + '\n' + options.svg;
     batch::agree_on(ranks_, batch::checksum(std::as_bytes(std::span(text))),
                     "was started with other options than rank 0");
   }
 
+  void announce() const {
+    std::string text = announcement(job_.source(), job_.patches()) + '\n';
+    const std::string likely = estimate(job_.scene(), job_.patches(), work_, job_.options().out, keeps_, ranks_.size());
+    if (!likely.empty()) text += likely + '\n';
+    static_cast<void>(std::fputs(text.c_str(), stderr));
+  }
+
   void begin_files() {
     const std::string& out = job_.options().out;
-    if (!out.empty()) places_ = sight_places(out, job_.scene(), job_.patches(), work_.rays);
+    if (!out.empty()) places_ = sight_places(out, job_.scene(), job_.patches(), work_.content);
     shares_ = job_.open_shares();
     if (ranks_.rank() != 0) return;
     picture_ = job_.open_picture();

@@ -6,8 +6,6 @@
 #include <mutex>
 #include <utility>
 
-#include "sight_rays.hpp"
-
 namespace shaftcull::cli {
 
 /// How many rays of undecided pairs arrive, found where resolve() is called, by many threads, and taken where answers
@@ -15,11 +13,7 @@ namespace shaftcull::cli {
 class UnitQuestion::RayAnswers {
  public:
   RayAnswers(const SeesScene& scene, const SeesWork& work)
-      : scene_(scene), rays_(work.rays, work.seed, scene.planes.empty()), stops_(work.stops) {
-    for (const std::vector<std::uint32_t>& triangles : scene.occluder_triangles) {
-      rays_.add_occluder(scene.mesh.triangles, triangles);
-    }
-  }
+      : scene_(scene), rays_(rays_of(scene, work)), stops_(work.stops) {}
 
   void find(const UndecidedPairs& undecided) {
     if (undecided.pairs.empty()) return;
@@ -82,10 +76,8 @@ class UnitKeeper final : public SightSink {
     }
     const UndecidedPairs& undecided = batch.undecided;
     const std::uint64_t before = answer_.candidates.size();
-    for (std::size_t i = 0; i != undecided.pairs.size(); ++i) {
-      answer_.undecided.push_back(undecided.pairs[i]);
-      answer_.ends.push_back(before + undecided.first_candidate[i + 1]);
-    }
+    answer_.undecided.insert(answer_.undecided.end(), undecided.pairs.begin(), undecided.pairs.end());
+    for (const std::size_t end : ends_of(undecided)) answer_.ends.push_back(before + end);
     answer_.candidates.insert(answer_.candidates.end(), undecided.candidates.begin(), undecided.candidates.end());
     answer_.seen.insert(answer_.seen.end(), seen.begin(), seen.end());
   }
@@ -96,6 +88,14 @@ class UnitKeeper final : public SightSink {
 };
 
 }  // namespace
+
+SightRays rays_of(const SeesScene& scene, const SeesWork& work) {
+  SightRays rays(work.content.rays, work.seed, scene.planes.empty());
+  for (const std::vector<std::uint32_t>& triangles : scene.occluder_triangles) {
+    rays.add_occluder(scene.mesh.triangles, triangles);
+  }
+  return rays;
+}
 
 SeesCounts& SeesCounts::operator+=(const SeesCounts& more) noexcept {
   for (const Sight sight : {Sight::undecided, Sight::clear, Sight::occluded, Sight::facing_away}) {
@@ -116,11 +116,12 @@ SeesCounts SeesCounts::of(std::span<const std::uint64_t, 7> numbers) noexcept {
 }
 
 UnitQuestion::UnitQuestion(const SeesScene& scene, const SeesBlocks& patches, const SeesWork& work)
-    : scene_(scene), patches_(patches), rays_(work.rays) {
+    : scene_(scene), patches_(patches), content_(work.content) {
   options_.memory = work.memory;
+  options_.candidates = content_.candidates || content_.rays != 0;
   // Proofs and rays are of one scene: a ray that starts inside a solid does not meet its front.
-  options_.solids_around_ends = work.rays == 0;
-  if (work.rays == 0) return;
+  options_.solids_around_ends = content_.rays == 0;
+  if (content_.rays == 0) return;
   ray_answers_ = std::make_unique<RayAnswers>(scene, work);
   options_.resolve = [this](const UndecidedPairs& undecided, std::span<Sight>) { ray_answers_->find(undecided); };
 }
@@ -132,15 +133,19 @@ SeesCounts UnitQuestion::deliver(std::size_t unit, std::span<SightSink* const> s
   SeesCounts counts;
   VisibilityOptions options = options_;
   options.progress = progress;
-  if (rays_ == 0 && sinks.empty()) {
+  if (content_.rays == 0 && sinks.empty()) {
     counts.sights = patches_.count(unit, scene_.occluders, options);
     return counts;
   }
   const auto take = [&](const SightBatch& batch) {
     const std::vector<std::uint32_t> seen =
-        rays_ == 0 ? std::vector<std::uint32_t>() : ray_answers_->take(batch.undecided);
-    for (const std::uint32_t n : seen) ++(n == 0 ? counts.hidden : n == rays_ ? counts.visible : counts.partial);
-    for (SightSink* const sink : sinks) sink->take(batch, seen);
+        content_.rays == 0 ? std::vector<std::uint32_t>() : ray_answers_->take(batch.undecided);
+    for (const std::uint32_t n : seen) {
+      ++(n == 0 ? counts.hidden : n == content_.rays ? counts.visible : counts.partial);
+    }
+    SightBatch wanted = batch;
+    if (!content_.candidates) wanted.undecided = {batch.undecided.pairs, {}, {}};  // they were for rays
+    for (SightSink* const sink : sinks) sink->take(wanted, seen);
   };
   counts.sights = patches_.answer(unit, scene_.occluders, take, options);
   return counts;
@@ -182,8 +187,11 @@ SeesCounts hand_over(const UnitAnswer& answer, std::span<SightSink* const> sinks
     const std::uint32_t* const row = &answer.products[i];
     products.push_back({{row[0], row[1]}, {row[2], row[3]}, static_cast<Sight>(row[4])});
   }
-  std::vector<std::size_t> first_candidate{0};
-  first_candidate.insert(first_candidate.end(), answer.ends.begin(), answer.ends.end());
+  std::vector<std::size_t> first_candidate;
+  if (!answer.ends.empty()) {
+    first_candidate.push_back(0);
+    first_candidate.insert(first_candidate.end(), answer.ends.begin(), answer.ends.end());
+  }
   const SightBatch batch{products, {answer.undecided, first_candidate, answer.candidates}};
   for (SightSink* const sink : sinks) sink->take(batch, answer.seen);
   return counts;

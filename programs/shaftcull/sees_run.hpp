@@ -14,12 +14,19 @@
 #include "sees_blocks.hpp"
 #include "sees_scene.hpp"
 #include "shaftcull/visibility.hpp"
+#include "sight_rays.hpp"
 
 namespace shaftcull::cli {
 
+/// What is wanted of undecided pairs.
+struct SightContent {
+  std::uint32_t rays = 0;   ///< of each pair, 0 for none; with rays no solid blocks pairs of a patch that it holds
+  bool candidates = false;  ///< the occluders that reach between its patches
+};
+
 /// How it is asked.
 struct SeesWork {
-  std::uint32_t rays = 0;  ///< of each pair that is undecided; then no solid blocks pairs of a patch that it holds
+  SightContent content;
   std::uint64_t seed = 1;
   std::size_t memory = std::size_t{256} << 20;
   /// As VisibilityOptions::progress.
@@ -51,11 +58,15 @@ class SightSink {
   SightSink& operator=(const SightSink&) = delete;
   virtual ~SightSink() = default;
 
-  /// `seen` has for each undecided pair of the batch how many of its rays arrive; it is empty without rays.
+  /// `seen` has for each undecided pair of the batch how many of its rays arrive; it is empty without rays. Arrays of
+  /// candidates are empty unless SightContent wants them.
   virtual void take(const SightBatch& batch, std::span<const std::uint32_t> seen) = 0;
   /// All answers were taken.
   virtual void finish() = 0;
 };
+
+/// Rays against the triangles of the scene's occluders.
+[[nodiscard]] SightRays rays_of(const SeesScene& scene, const SeesWork& work);
 
 /// Asks in the caller's task_arena. Throws Cancelled if the progress callback says so, and what sinks throw.
 [[nodiscard]] SeesCounts find_what_sees(const SeesScene& scene, const SeesBlocks& patches, const SeesWork& work,
@@ -66,7 +77,7 @@ struct UnitAnswer {
   std::vector<std::uint64_t> counts;      ///< SeesCounts::Numbers
   std::vector<std::uint32_t> products;    ///< five a product: runs of two patches, and what they see
   std::vector<PatchPair> undecided;       ///< pairs
-  std::vector<std::uint64_t> ends;        ///< of each pair, where its candidates end
+  std::vector<std::uint64_t> ends;        ///< of each pair, where its candidates end; empty unless they are wanted
   std::vector<std::uint32_t> candidates;  ///< of all pairs
   std::vector<std::uint32_t> seen;        ///< of each pair with rays, how many arrive
 
@@ -95,9 +106,14 @@ class UnitQuestion {
   const SeesScene& scene_;
   const SeesBlocks& patches_;
   VisibilityOptions options_;
-  std::uint32_t rays_;
+  SightContent content_;
   std::unique_ptr<RayAnswers> ray_answers_;
 };
+
+/// Where the candidates of each undecided pair end; empty if they are not wanted.
+[[nodiscard]] inline std::span<const std::size_t> ends_of(const UndecidedPairs& undecided) {
+  return undecided.first_candidate.empty() ? undecided.first_candidate : undecided.first_candidate.subspan(1);
+}
 
 /// All answers of a unit.
 [[nodiscard]] UnitAnswer answer_of(UnitQuestion& question, std::size_t unit);
@@ -112,10 +128,10 @@ enum class SightForm : std::uint8_t { npz, csv };
 /// say is CSV. Throws InvalidArgument for another name, or if a CSV file cannot have all pairs of so many patches.
 [[nodiscard]] SightForm sight_form(const std::string& path, std::uint64_t patches);
 
-/// A sink that writes such a file of all pairs. `order` is that of the patches, `rays` is 0 without. Throws
-/// InvalidArgument as sight_form(), and for a file that cannot be made.
+/// A sink that writes such a file of all pairs. `order` is that of the patches. Throws InvalidArgument as sight_form(),
+/// for a CSV file of candidates, and for a file that cannot be made.
 [[nodiscard]] std::unique_ptr<SightSink> sight_file(const std::string& path, const SeesScene& scene,
-                                                    std::span<const std::uint32_t> order, std::uint32_t rays);
+                                                    std::span<const std::uint32_t> order, const SightContent& content);
 
 /// What share of the others each patch sees: of pairs that are clear all; of those with rays the share of the rays that
 /// arrive; of others nothing.

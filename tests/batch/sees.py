@@ -10,7 +10,7 @@ import subprocess
 from launched import content, kill_one, launch, program, stored_blocks
 
 npz = ["--out", "seen.npz"]
-both = [*npz, "--svg", "seen.svg"]
+both = [*npz, "--candidates", "--svg", "seen.svg"]
 scene = ["--rooms", "5", "--patches", "0.6", "--solid", "wall*", "table*"]  # 10 units of work
 units = 10
 
@@ -63,11 +63,18 @@ def on_ranks():
         file.write("old")
     os.chmod("elsewhere/file", 0o640)
     os.symlink("elsewhere/file", "seen.npz")
-    found_by(2, *npz, "--rays", 3)
+    found_by(2, *npz, "--candidates", "--rays", 3)
     assert os.path.islink("seen.npz") and content("elsewhere/file") == whole["seen.npz"]
     assert stat.S_IMODE(os.stat("elsewhere/file").st_mode) == 0o640
     assert sorted(os.listdir()) == ["elsewhere", "seen.npz"]
     assert os.listdir("elsewhere") == ["file"]
+    os.remove("seen.npz")
+
+    found_by(0, *npz, "--rays", 3)
+    without_candidates = take_files()
+    assert len(without_candidates["seen.npz"]) < len(whole["seen.npz"])
+    found_by(2, *npz, "--rays", 3)
+    assert take_files() == without_candidates
 
 
 def refused():
@@ -75,6 +82,7 @@ def refused():
     refusals = {
         "--out -: ranks keep what is finished beside a file": ["--out", "-"],
         "seen.txt: what kind of file?": ["--out", "seen.txt"],
+        "a CSV file has no candidates": ["--out", "seen.csv", "--candidates", "--patches", "2"],
         "none/seen.svg: cannot be written: No such file": ["--out", "seen.npz", "--svg", "none/seen.svg"],
         "--solid none: 5 rooms has no object of that name": ["--solid", "none"],
     }

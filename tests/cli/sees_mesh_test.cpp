@@ -144,6 +144,25 @@ TEST_F(CliSeesMesh, ANodeThatReflectsFacesAsItsMeshDoes) {
   EXPECT_EQ(pairs(R"({"name":"ceiling","mesh":0,"translation":[0,0,2],"scale":[-1,-1,1]})")["facing_away"], 1);
 }
 
+TEST_F(CliSeesMesh, TheUsualPatchSizeIsShortAndDoesNotMakeTooManyPairs) {
+  std::string floors;
+  for (const std::string z : {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9"}) {
+    for (const std::string xy : {"0 0 ", "22.8577 0 ", "22.8577 22.8577 ", "0 22.8577 "}) {
+      floors += "v " + xy + z + '\n';
+    }
+    floors += "f -4 -3 -2 -1\n";
+  }
+  const auto report = [](const std::string& file) {
+    return nlohmann::json::parse(output_of({"sees", file, "--format", "json"}));
+  };
+  const nlohmann::json few = report(folder_.write("floor.obj", floors.substr(0, floors.find('f') + 14)));
+  EXPECT_EQ(few["patch_size"], 0.7144);
+  const nlohmann::json many = report(folder_.write("floors.obj", floors));
+  EXPECT_GT(many["patch_size"], 0.7144);
+  EXPECT_LE(many["pairs"]["all"], 500'000'000);
+  EXPECT_GT(many["pairs"]["all"], 100'000'000);
+}
+
 TEST_F(CliSeesMesh, ADentIsNotSolid) {
   std::string dented = upright_wall();
   dented.replace(dented.find("v 4 5 5"), 7, "v 5 1 1");

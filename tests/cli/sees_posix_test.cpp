@@ -77,7 +77,7 @@ TEST(CliSees, NumPyReadsWhatWasPrinted) {
   if (std::system("/usr/bin/python3 -c 'import numpy' >/dev/null 2>&1") != 0) GTEST_SKIP() << "there is no NumPy";
   const ScratchFolder folder;
   const std::string path = folder.path("sights.npz");
-  const Json report = Json::parse(output_of(with(one_room, {"--rays", "4", "--out", path})));
+  const Json report = Json::parse(output_of(with(one_room, {"--rays", "4", "--candidates", "--out", path})));
   const std::string script = folder.write("reader.py", reader);
   const std::string counts = output_of_command("/usr/bin/python3 '" + script + "' '" + path + "' 2>&1");
   ASSERT_THAT(counts, testing::StartsWith("{"));

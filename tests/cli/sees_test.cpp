@@ -118,7 +118,7 @@ TEST(CliSees, FilesAreTheSameForAnyNumberOfThreadsAndInstructionSet) {
   const std::string one = file("one.csv", {"--threads", "1"});
   EXPECT_EQ(one, file("many.csv", {"--threads", "0", "--isa", "scalar"}));
   EXPECT_NE(one, file("other.csv", {"--seed", "2"}));
-  EXPECT_EQ(file("one.npz", {"--threads", "1"}), file("many.npz", {"--threads", "0"}));
+  EXPECT_EQ(file("one.npz", {"--candidates", "--threads", "1"}), file("many.npz", {"--candidates", "--threads", "0"}));
 }
 
 TEST(CliSees, FilesAreTheSameWhateverMemoryAnswersMayTake) {
@@ -131,6 +131,34 @@ TEST(CliSees, FilesAreTheSameWhateverMemoryAnswersMayTake) {
   for (const std::string kind : {".npz", ".csv"}) {
     EXPECT_TRUE(file("little" + kind, "1") == file("much" + kind, "256")) << kind;
   }
+}
+
+TEST(CliSees, FilesHaveCandidatesOnlyIfAskedFor) {
+  const ScratchFolder folder;
+  const std::string path = folder.path("sights.npz");
+  for (const std::vector<std::string>& rays : std::vector<std::vector<std::string>>{{}, {"--rays", "2"}}) {
+    static_cast<void>(output_of(with(with(one_room, rays), {"--out", path})));
+    EXPECT_THAT(bytes_of(path), AllOf(HasSubstr("undecided.npy"), testing::Not(HasSubstr("candidate"))));
+    static_cast<void>(output_of(with(with(one_room, rays), {"--out", path, "--candidates"})));
+    EXPECT_THAT(bytes_of(path), AllOf(HasSubstr("first_candidate.npy"), HasSubstr("candidates.npy")));
+  }
+  EXPECT_THAT(refusal_of(with(one_room, {"--out", folder.path("sights.csv"), "--candidates"})),
+              HasSubstr("a CSV file has no candidates; give an .npz file"));
+  static_cast<void>(refusal_of(with(one_room, {"--candidates"})));
+}
+
+TEST(CliSees, ALargeFileIsAnnounced) {
+  const ScratchFolder folder;
+  const std::string path = folder.path("sights.npz");
+  const std::vector<std::string> arguments{"sees", "--rooms", "3", "--patches", "0.8", "--out", path, "--candidates"};
+  const Outcome outcome = run_program(arguments);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  const std::vector<std::string> said = lines(outcome.error);
+  ASSERT_THAT(said, testing::Contains(testing::MatchesRegex("This will take about .* s, and .* MB in .*sights.npz")));
+  const double megabytes = std::stod(said[1].substr(said[1].find("and ") + 4));
+  EXPECT_NEAR(megabytes * 1e6 / static_cast<double>(std::filesystem::file_size(path)), 1, 0.3);
+
+  EXPECT_THAT(run_program(with(one_room, {"--out", path})).error, testing::Not(HasSubstr("This will take")));
 }
 
 TEST(CliSees, PictureShowsPatchesFromAbove) {

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "sees_estimate.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "printable.hpp"
+#include "shaftcull/many.hpp"
+#include "sight_rays.hpp"
+#include "table.hpp"
+
+namespace shaftcull::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Pairs, or rays, that are answered while one reads that it takes no time.
+constexpr std::uint64_t few_pairs = 2'000'000;
+/// Of all patches on each side of the sample, so that it has a fiftieth of the pairs.
+constexpr std::size_t part_of_patches = 10;
+constexpr std::size_t most_sampled = 4096;
+/// Patches of a run lie together, as those that are asked about together do.
+constexpr std::size_t runs = 16;
+constexpr std::chrono::milliseconds time_for_rays{200};
+constexpr double hour = 3600;
+
+struct SampledPatches {
+  std::vector<std::uint32_t> patches;
+  PatchSet set;
+};
+
+/// Evenly spaced runs of the order, half a space further if they are the second ones.
+SampledPatches sampled(const SeesScene& scene, std::span<const std::uint32_t> order, bool second) {
+  const std::size_t count = std::clamp<std::size_t>(order.size() / part_of_patches, 1, most_sampled);
+  const std::size_t length = (count + runs - 1) / runs;
+  std::vector<std::uint32_t> patches;
+  std::vector<Box> boxes;
+  std::vector<Plane> planes;
+  for (std::size_t run = 0; run < runs; ++run) {
+    const std::size_t first = std::min((2 * run + (second ? 1 : 0)) * order.size() / (2 * runs), order.size() - 1);
+    for (const std::uint32_t patch : order.subspan(first, std::min(length, order.size() - first))) {
+      patches.push_back(patch);
+      boxes.push_back(scene.boxes[patch]);
+      if (!scene.planes.empty()) planes.push_back(scene.planes[patch]);
+    }
+  }
+  return {std::move(patches), PatchSet(boxes, planes)};
+}
+
+double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
+/// What a share of all pairs took, to be multiplied.
+struct Sample {
+  std::uint64_t pairs = 0;
+  double seconds = 0;
+  std::uint64_t products = 0;
+  std::uint64_t undecided = 0;
+  std::uint64_t candidates = 0;
+};
+
+class Sampler {
+ public:
+  Sampler(const SeesScene& scene, const SeesBlocks& patches, const SeesWork& work)
+      : scene_(scene),
+        work_(work),
+        a_(sampled(scene, patches.order(), false)),
+        b_(sampled(scene, patches.order(), true)) {
+    options_.memory = work.memory;
+    options_.candidates = work.content.candidates || work.content.rays != 0;
+    options_.solids_around_ends = work.content.rays == 0;
+  }
+
+  Sample take(bool delivers) {
+    Sample sample;
+    sample.pairs = std::uint64_t{a_.patches.size()} * b_.patches.size();
+    const auto begin = Clock::now();
+    if (delivers) {
+      const auto take = [&](const SightBatch& batch) {
+        sample.products += batch.products.size();
+        sample.undecided += batch.undecided.pairs.size();
+        sample.candidates += batch.undecided.candidates.size();
+        if (work_.content.rays != 0 && !some_) some_ = batch_of(batch.undecided);
+      };
+      visibility(a_.set, b_.set, scene_.occluders, take, options_);
+    } else {
+      static_cast<void>(count_visibility(a_.set, b_.set, scene_.occluders, options_));
+    }
+    sample.seconds = seconds_since(begin);
+    if (some_) sample.seconds += static_cast<double>(sample.undecided) * seconds_per_pair_of_rays() / concurrency();
+    return sample;
+  }
+
+ private:
+  struct Undecided {
+    std::vector<PatchPair> pairs;
+    std::vector<std::size_t> first_candidate;
+    std::vector<std::uint32_t> candidates;
+  };
+
+  static std::optional<Undecided> batch_of(const UndecidedPairs& undecided) {
+    if (undecided.pairs.empty()) return {};
+    return Undecided{{undecided.pairs.begin(), undecided.pairs.end()},
+                     {undecided.first_candidate.begin(), undecided.first_candidate.end()},
+                     {undecided.candidates.begin(), undecided.candidates.end()}};
+  }
+
+  /// On one thread, of some pairs in leaps through those that were kept.
+  double seconds_per_pair_of_rays() const {
+    const SightRays rays = rays_of(scene_, work_);
+    const auto begin = Clock::now();
+    const std::size_t count = some_->pairs.size();
+    std::size_t asked = 0;
+    do {
+      const std::size_t i = asked * 7919 % count;
+      const std::size_t first = some_->first_candidate[i];
+      static_cast<void>(rays.seen(scene_.patches, a_.patches[some_->pairs[i].a], b_.patches[some_->pairs[i].b],
+                                  std::span(some_->candidates).subspan(first, some_->first_candidate[i + 1] - first)));
+    } while (++asked < count && Clock::now() - begin < time_for_rays);
+    return seconds_since(begin) / static_cast<double>(asked);
+  }
+
+  const SeesScene& scene_;
+  const SeesWork& work_;
+  VisibilityOptions options_;
+  SampledPatches a_;
+  SampledPatches b_;
+  std::optional<Undecided> some_;  ///< of the first batch that has any
+};
+
+/// Bytes of a file, if it is like the sample.
+double bytes_of(const Sample& sample, double pairs, std::size_t patches, const SeesWork& work, const std::string& out) {
+  if (sight_form(out, patches) == SightForm::csv) {
+    constexpr double rest_of_line = 12;  // of words and separators
+    return pairs * (2 * std::ceil(std::log10(static_cast<double>(patches))) + rest_of_line);
+  }
+  constexpr double patch = 4 + 24 + 16 + 72 + 4;
+  const double undecided = static_cast<double>(sample.undecided) *
+                           (8.0 + (work.content.rays != 0 ? 4 : 0) + (work.content.candidates ? 8 : 0));
+  const double candidates = work.content.candidates ? 4.0 * static_cast<double>(sample.candidates) : 0;
+  return patch * static_cast<double>(patches) + (20.0 * static_cast<double>(sample.products) + undecided + candidates) *
+                                                    pairs / static_cast<double>(sample.pairs);
+}
+
+std::string duration(double seconds) {
+  if (seconds < 90) return fmt::format("{:.0f} s", std::ceil(seconds));
+  return seconds < hour ? fmt::format("{:.0f} min", seconds / 60) : fmt::format("{:.1f} h", seconds / hour);
+}
+
+}  // namespace
+
+std::string announcement(const std::string& source, const SeesBlocks& patches) {
+  return fmt::format("{}: {} patches, {} pairs", printable(source), grouped(patches.size()), grouped(patches.pairs()));
+}
+
+std::string estimate(const SeesScene& scene, const SeesBlocks& patches, const SeesWork& work, const std::string& out,
+                     bool delivers, int ranks) {
+  if (patches.pairs() * (1 + std::uint64_t{work.content.rays}) < few_pairs) return {};
+  const double pairs = static_cast<double>(patches.pairs());
+  const Sample sample = Sampler(scene, patches, work).take(delivers || work.content.rays != 0);
+  const double seconds = sample.seconds * pairs / static_cast<double>(sample.pairs) / ranks;
+  std::string text = fmt::format("This will take about {}", duration(seconds));
+  if (!out.empty()) {
+    text +=
+        fmt::format(", and {}B in {}", prefixed(bytes_of(sample, pairs, patches.size(), work, out)), printable(out));
+  }
+  if (seconds < hour) return text;
+  const double larger = 2 * scene.patch_size;
+  const std::uint64_t fewer = count_patches(scene.mesh.triangles, larger, most_patches);
+  return text + fmt::format("; --patches {} would make {} pairs", larger, grouped(fewer * (fewer - 1) / 2));
+}
+
+}  // namespace shaftcull::cli
