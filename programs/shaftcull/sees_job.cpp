@@ -57,7 +57,7 @@ std::unique_ptr<OutputFile> SeesJob::open_picture() const {
 
 void SeesJob::finish(const SeesReport& report, OutputFile* picture) {
   if (picture != nullptr) {
-    picture->write(svg_of_shares(*scene_, shares_->shares(), static_cast<std::size_t>(options_.up[0] - 'x')));
+    picture->write(svg_of_shares(*scene_, *shares_, static_cast<std::size_t>(options_.up[0] - 'x')));
     picture->finish();
   }
   // Where a file is standard output, the report goes elsewhere.

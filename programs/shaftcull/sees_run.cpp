@@ -198,7 +198,7 @@ SeesCounts hand_over(const UnitAnswer& answer, std::span<SightSink* const> sinks
 }
 
 SeenShares::SeenShares(std::span<const std::uint32_t> order, std::uint32_t rays)
-    : order_(order), most_(rays == 0 ? 1 : rays), sums_(order.size()) {}
+    : order_(order), most_(rays == 0 ? 1 : rays), sums_(2 * order.size()) {}
 
 void SeenShares::take(const SightBatch& batch, std::span<const std::uint32_t> seen) {
   const auto add = [&](const PatchRun& run, std::uint32_t others) {
@@ -209,14 +209,17 @@ void SeenShares::take(const SightBatch& batch, std::span<const std::uint32_t> se
     add(product.a, product.b.count);
     add(product.b, product.a.count);
   }
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    sums_[batch.undecided.pairs[i].a] += seen[i];
-    sums_[batch.undecided.pairs[i].b] += seen[i];
+  for (std::size_t i = 0; i < batch.undecided.pairs.size(); ++i) {
+    const auto [a, b] = batch.undecided.pairs[i];
+    const std::size_t first = seen.empty() ? order_.size() : 0;
+    const std::uint64_t more = seen.empty() ? 1 : seen[i];
+    sums_[first + a] += more;
+    sums_[first + b] += more;
   }
 }
 
 void SeenShares::finish() {
-  const double all = static_cast<double>(most_) * static_cast<double>(std::max<std::size_t>(sums_.size(), 2) - 1);
+  const double all = static_cast<double>(most_) * static_cast<double>(std::max<std::size_t>(order_.size(), 2) - 1);
   for (const std::uint64_t sum : sums_) shares_.push_back(static_cast<double>(sum) / all);
 }
 

@@ -134,7 +134,7 @@ enum class SightForm : std::uint8_t { npz, csv };
                                                     std::span<const std::uint32_t> order, const SightContent& content);
 
 /// What share of the others each patch sees: of pairs that are clear all; of those with rays the share of the rays that
-/// arrive; of others nothing.
+/// arrive; of others nothing. And, without rays, of what share that is undecided.
 class SeenShares final : public SightSink {
  public:
   SeenShares(std::span<const std::uint32_t> order, std::uint32_t rays);
@@ -145,17 +145,19 @@ class SeenShares final : public SightSink {
   /// What was taken of each patch until now; for answers that several processes take, to be added up before finish().
   [[nodiscard]] std::span<std::uint64_t> sums() noexcept { return sums_; }
   /// One for each patch, from 0 to 1, when all answers were taken.
-  [[nodiscard]] std::span<const double> shares() const noexcept { return shares_; }
+  [[nodiscard]] std::span<const double> seen() const noexcept { return std::span(shares_).first(order_.size()); }
+  /// Likewise; all are 0 with rays.
+  [[nodiscard]] std::span<const double> undecided() const noexcept { return std::span(shares_).last(order_.size()); }
 
  private:
   std::span<const std::uint32_t> order_;
   std::uint64_t most_;               ///< what one other patch can add: its rays, or 1 without
-  std::vector<std::uint64_t> sums_;  ///< integers, so that their order does not matter
+  std::vector<std::uint64_t> sums_;  ///< seen, then undecided; integers, so that their order does not matter
   std::vector<double> shares_;
 };
 
-/// An SVG picture of the scene as seen along axis `up`, from where it points: patches that face there, in the colour
-/// of their share.
-[[nodiscard]] std::string svg_of_shares(const SeesScene& scene, std::span<const double> shares, std::size_t up);
+/// An SVG picture of the scene as seen along axis `up`, from where it points: patches that face there, in the colour of
+/// the share that they see. If any is undecided, a second one beside it shows of what share.
+[[nodiscard]] std::string svg_of_shares(const SeesScene& scene, const SeenShares& shares, std::size_t up);
 
 }  // namespace shaftcull::cli

@@ -170,9 +170,19 @@ TEST(CliSees, PictureShowsPatchesFromAbove) {
   };
   const std::string from_above = picture("z");
   EXPECT_THAT(from_above, AllOf(testing::StartsWith("<svg "), HasSubstr("x to the right, y up</title>"),
-                                HasSubstr("<path color=\"#"), HasSubstr("% of the other patches are seen"),
-                                testing::EndsWith("</svg>\n")));
+                                HasSubstr("<path color=\"#"), testing::EndsWith("</svg>\n")));
   EXPECT_THAT(picture("y"), HasSubstr("z to the right, x up</title>"));
+}
+
+TEST(CliSees, PictureShowsUndecidedPairsApart) {
+  const auto picture = [&](const std::vector<std::string>& more) {
+    const Outcome outcome = run_program(with(with(one_room, {"--svg", "-"}), more));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+    return outcome.out;
+  };
+  EXPECT_THAT(picture({}), AllOf(HasSubstr("% are proven to be seen<"), HasSubstr("% are undecided<")));
+  EXPECT_THAT(picture({"--rays", "2"}),
+              AllOf(HasSubstr("% of the other patches are seen<"), testing::Not(HasSubstr("undecided"))));
 }
 
 TEST(CliSees, ThePageHasThePictureThatItsCommandMakes) {
