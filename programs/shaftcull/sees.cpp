@@ -58,7 +58,7 @@ std::string progress_text(const VisibilityProgress& progress, double seconds) {
 SeesReport run_sees(const SeesScene& scene, const SeesBlocks& patches, SeesWork work, const std::string& source,
                     const std::string& out, std::span<SightSink* const> sinks, Progress& progress,
                     const InterruptWatch& interrupt) {
-  progress.milestone(announcement(source, patches));
+  progress.milestone(announcement(source, scene, patches));
   const std::string likely = estimate(scene, patches, work, out, !sinks.empty(), 1);
   if (!likely.empty()) progress.milestone(likely);
   const auto begin = std::chrono::steady_clock::now();
@@ -95,8 +95,11 @@ void add_sees(CLI::App& program) {
       sees, "--patches", options->choice.patch_size, 1e-30, 1e30,
       "Triangles are split until no edge is longer (default: a 32nd of the scene, or more for 500 million pairs)")
       ->type_name("SIZE");
-  sees.add_flag("--two-sided", options->choice.two_sided,
-                "Patches see on both sides; without it, where the right-hand normal of their triangle points");
+  CLI::Option* two_sided =
+      sees.add_flag("--two-sided", options->choice.two_sided,
+                    "Patches see on both sides; without it, where the right-hand normal of their triangle points");
+  sees.add_flag("--flip", options->choice.flip, "Patches see on the other side: normals of the file point away from it")
+      ->excludes(two_sided);
   sees.add_option("--solid", options->choice.solid,
                   "Objects that are solid, by name or pattern ('wall*'): convex, with 32 corners at most; others are "
                   "skipped")

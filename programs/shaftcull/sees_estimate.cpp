@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -147,6 +148,40 @@ double bytes_of(const Sample& sample, double pairs, std::size_t patches, const S
                                                     pairs / static_cast<double>(sample.pairs);
 }
 
+/// How far floats of this size are apart.
+double step_at(float size) {
+  return double{std::nextafter(size, std::numeric_limits<float>::infinity())} - double{size};
+}
+
+/// A line about coordinates whose floats are coarse for what they describe; empty if they are not, or if it is no help
+/// to move the scene to the origin.
+std::string coarseness(const SeesScene& scene) {
+  float largest = 0;
+  float longest = 0;
+  float thinnest = std::numeric_limits<float>::infinity();
+  Box all = scene.mesh.boxes.front();
+  for (const Box& box : scene.mesh.boxes) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      all.lo[axis] = std::min(all.lo[axis], box.lo[axis]);
+      all.hi[axis] = std::max(all.hi[axis], box.hi[axis]);
+      largest = std::max({largest, std::abs(box.lo[axis]), std::abs(box.hi[axis])});
+      longest = std::max(longest, all.hi[axis] - all.lo[axis]);
+      if (box.hi[axis] > box.lo[axis]) thinnest = std::min(thinnest, box.hi[axis] - box.lo[axis]);
+    }
+  }
+  constexpr double steps_of_a_patch = 128;
+  constexpr double steps_of_an_object = 16;
+  constexpr double gain = 8;
+  const double step = step_at(largest);
+  const double step_near_origin = step_at(longest / 2);
+  const bool is_coarse = step * steps_of_a_patch > scene.patch_size || step * steps_of_an_object > double{thinnest};
+  if (!is_coarse || step < gain * step_near_origin) return {};
+  return fmt::format(
+      "\nCoordinates reach {}, where floats are {:.2g} apart; patches are {:.4g} long, and the thinnest object {:.2g}: "
+      "walls may be flat or gone. Move the scene to the origin, where floats are {:.1g} apart",
+      largest, step, scene.patch_size, thinnest, step_near_origin);
+}
+
 std::string duration(double seconds) {
   if (seconds < 90) return fmt::format("{:.0f} s", std::ceil(seconds));
   return seconds < hour ? fmt::format("{:.0f} min", seconds / 60) : fmt::format("{:.1f} h", seconds / hour);
@@ -154,8 +189,9 @@ std::string duration(double seconds) {
 
 }  // namespace
 
-std::string announcement(const std::string& source, const SeesBlocks& patches) {
-  return fmt::format("{}: {} patches, {} pairs", printable(source), grouped(patches.size()), grouped(patches.pairs()));
+std::string announcement(const std::string& source, const SeesScene& scene, const SeesBlocks& patches) {
+  return fmt::format("{}: {} patches, {} pairs{}", printable(source), grouped(patches.size()), grouped(patches.pairs()),
+                     coarseness(scene));
 }
 
 std::string estimate(const SeesScene& scene, const SeesBlocks& patches, const SeesWork& work, const std::string& out,

@@ -9,8 +9,9 @@
 
 namespace shaftcull::cli {
 
-/// The line that a run begins with: how many patches and pairs there are.
-[[nodiscard]] std::string announcement(const std::string& source, const SeesBlocks& patches);
+/// What a run begins with: how many patches and pairs there are; in a second line, if the scene is so far from the
+/// origin that floats lose thin things there, by how much.
+[[nodiscard]] std::string announcement(const std::string& source, const SeesScene& scene, const SeesBlocks& patches);
 
 /// A line that says how long a run is likely to take, and how large its file will be, from a sample of its pairs that
 /// the caller's threads answer; empty if the run is short. `out` is the file of answers, empty without. With `delivers`

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sees_job.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -14,6 +15,17 @@ namespace shaftcull::cli {
 namespace {
 
 bool is_output(const std::string& path) { return !path.empty() && is_standard_output(path); }
+
+/// A line about normals that seem to point the wrong way; empty if they do not.
+std::string hint_of(const SeesReport& report, const SeesChoice& choice) {
+  constexpr double most = 0.9;
+  const double share = static_cast<double>(report.counts.sights.facing_away) /
+                       static_cast<double>(std::max<std::uint64_t>(report.counts.sights.total(), 1));
+  if (choice.two_sided || share <= most) return {};
+  return fmt::format(
+      "{:.1f} % of the pairs face away. If normals point to the wrong side, {}; with --two-sided patches see on both\n",
+      100 * share, choice.flip ? "leave out --flip" : "--flip turns them round");
+}
 
 }  // namespace
 
@@ -60,6 +72,8 @@ void SeesJob::finish(const SeesReport& report, OutputFile* picture) {
     picture->write(svg_of_shares(*scene_, *shares_, static_cast<std::size_t>(options_.up[0] - 'x')));
     picture->finish();
   }
+  const std::string hint = hint_of(report, options_.choice);
+  if (!hint.empty()) static_cast<void>(std::fputs(hint.c_str(), stderr));
   // Where a file is standard output, the report goes elsewhere.
   const bool is_taken = is_output(options_.out) || is_output(options_.svg);
   std::fputs(format_report(report, report_format(options_.format)).c_str(), is_taken ? stderr : stdout);

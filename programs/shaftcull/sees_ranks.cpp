@@ -109,7 +109,7 @@ class RankedSees {
   }
 
   void announce() const {
-    std::string text = announcement(job_.source(), job_.patches()) + '\n';
+    std::string text = announcement(job_.source(), job_.scene(), job_.patches()) + '\n';
     const std::string likely = estimate(job_.scene(), job_.patches(), work_, job_.options().out, keeps_, ranks_.size());
     if (!likely.empty()) text += likely + '\n';
     static_cast<void>(std::fputs(text.c_str(), stderr));

@@ -147,6 +147,9 @@ class OccluderMaker {
 
 SeesScene make_sees_scene(MeshScene mesh, const SeesChoice& choice, const std::string& source) {
   SeesScene scene{std::move(mesh), choice.patch_size, {}, {}, {}, {}, {}, {}};
+  if (choice.flip) {
+    for (MeshTriangle& triangle : scene.mesh.triangles) std::swap(triangle.vertex[1], triangle.vertex[2]);
+  }
   if (scene.patch_size == 0) scene.patch_size = usual_patch_size(scene.mesh);
   scene.patches = split_into_patches(scene.mesh.triangles, scene.patch_size);
   if (scene.patches.empty()) {

@@ -16,6 +16,7 @@ namespace shaftcull::cli {
 struct SeesChoice {
   double patch_size = 0;           ///< 0: usual_patch_size()
   bool two_sided = false;          ///< patches have no planes
+  bool flip = false;               ///< triangles face the other way than in the file
   std::vector<std::string> solid;  ///< names of objects, or patterns of names
   bool finds_solids = true;        ///< solids are found in the triangles of all other objects
 };

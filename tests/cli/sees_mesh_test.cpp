@@ -163,6 +163,44 @@ TEST_F(CliSeesMesh, TheUsualPatchSizeIsShortAndDoesNotMakeTooManyPairs) {
   EXPECT_GT(many["pairs"]["all"], 100'000'000);
 }
 
+/// Two squares that face away from each other unless they are turned round.
+constexpr const char* outward_squares = R"(
+v 0 0 0
+v 0 0 1
+v 0 1 1
+v 0 1 0
+v 1 0 0
+v 1 1 0
+v 1 1 1
+v 1 0 1
+f 1 2 3 4
+f 5 6 7 8
+)";
+
+TEST_F(CliSeesMesh, NormalsThatPointOutwardsGetAHintAndCanBeFlipped) {
+  const std::string file = folder_.write("outward.obj", outward_squares);
+  const std::vector<std::string> arguments{"sees", file, "--patches", "9", "--format", "json"};
+  const Outcome outward = run_program(arguments);
+  EXPECT_THAT(outward.error, AllOf(HasSubstr("100.0 % of the pairs face away."), HasSubstr("--flip turns them round"),
+                                   HasSubstr("--two-sided")));
+  const Outcome flipped = run_program(with(arguments, {"--flip"}));
+  EXPECT_EQ(nlohmann::json::parse(flipped.out)["pairs"]["clear"], 4);
+  EXPECT_THAT(flipped.error, testing::Not(HasSubstr("face away")));
+  EXPECT_THAT(run_program(with(arguments, {"--two-sided"})).error, testing::Not(HasSubstr("face away")));
+  static_cast<void>(refusal_of(with(arguments, {"--flip", "--two-sided"})));
+}
+
+TEST_F(CliSeesMesh, CoordinatesThatFloatsCannotHoldAreToldInNumbers) {
+  const auto wall = [](const std::string& x, const std::string& thicker_x) {
+    return "v " + x + " 0 0\nv " + thicker_x + " 0 0\nv " + thicker_x + " 3 0\nv " + x + " 3 0\nf 1 2 3 4\n";
+  };
+  const auto said = [](const std::string& file) { return run_program({"sees", file, "--patches", "0.25"}).error; };
+  EXPECT_THAT(said(folder_.write("map.obj", wall("4512345", "4512345.5"))),
+              AllOf(HasSubstr("Coordinates reach 4512345.5, where floats are 0.5 apart"), HasSubstr("patches are 0.25"),
+                    HasSubstr("the thinnest object 0.5"), HasSubstr("where floats are 1e-07 apart")));
+  EXPECT_THAT(said(folder_.write("near.obj", wall("4", "4.5"))), testing::Not(HasSubstr("Coordinates reach")));
+}
+
 TEST_F(CliSeesMesh, ADentIsNotSolid) {
   std::string dented = upright_wall();
   dented.replace(dented.find("v 4 5 5"), 7, "v 5 1 1");
