@@ -244,7 +244,7 @@ void run(const CullOptions& options) {
   CullReport report{options.path,
                     Grain::object,
                     std::string(name(active_isa())),
-                    load_mesh_isolated(options.path, with_triangles),
+                    load_mesh_isolated(options.path, {.triangles = with_triangles}),
                     {},
                     {},
                     options.solid,

@@ -84,10 +84,10 @@ Message rejection(const std::string& why) {
   return message;
 }
 
-Message read_scene(const std::string& path, bool with_triangles) {
+Message read_scene(const std::string& path, const MeshReading& reading) {
   Message message;
   try {
-    const MeshScene scene = load_mesh(path, with_triangles);
+    const MeshScene scene = load_mesh(path, reading);
     message.put(Verdict::scene);
     message.put(scene.names.size());
     for (const std::string& name : scene.names) message.put_sequence(name);
@@ -97,7 +97,7 @@ Message read_scene(const std::string& path, bool with_triangles) {
   } catch (const InvalidArgument& error) {
     message = rejection(error.what());
   } catch (const std::exception& error) {
-    message = rejection(fmt::format("{}: the file cannot be read: {}", path, error.what()));
+    message = rejection(fmt::format("{}: assimp's reader failed on it: {}", path, error.what()));
   }
   return message;
 }
@@ -139,12 +139,12 @@ std::string read_all(int pipe) {
 }
 
 /// What the reading process sent, and how it ended (as waitpid tells it).
-struct Reading {
+struct ReadResult {
   Message message;
   int status;
 };
 
-Reading read_in_child(const std::string& path, bool with_triangles) {
+ReadResult read_in_child(const std::string& path, const MeshReading& reading) {
   std::array<int, 2> ends{};
   if (pipe(ends.data()) != 0) throw std::system_error(errno, std::generic_category(), "a pipe to the mesh reader");
   const pid_t child = fork();
@@ -152,15 +152,15 @@ Reading read_in_child(const std::string& path, bool with_triangles) {
   if (child == 0) {
     close(ends[0]);
     limit_reader(path);
-    write_all(ends[1], read_scene(path, with_triangles).bytes());
+    write_all(ends[1], read_scene(path, reading).bytes());
     // Not exit(): what the parent has open or buffered is not the child's to finish.
     _exit(0);
   }
   close(ends[1]);
-  Reading reading{Message(read_all(ends[0])), 0};
+  ReadResult result{Message(read_all(ends[0])), 0};
   close(ends[0]);
-  while (waitpid(child, &reading.status, 0) < 0 && errno == EINTR) continue;
-  return reading;
+  while (waitpid(child, &result.status, 0) < 0 && errno == EINTR) continue;
+  return result;
 }
 
 bool ran_out_of_time(int status) {
@@ -169,8 +169,8 @@ bool ran_out_of_time(int status) {
 
 }  // namespace
 
-MeshScene load_mesh_isolated(const std::string& path, bool with_triangles) {
-  auto [message, status] = read_in_child(path, with_triangles);
+MeshScene load_mesh_isolated(const std::string& path, const MeshReading& reading) {
+  auto [message, status] = read_in_child(path, reading);
   try {
     if (message.take<Verdict>() == Verdict::scene) {
       MeshScene scene;
@@ -183,8 +183,9 @@ MeshScene load_mesh_isolated(const std::string& path, bool with_triangles) {
     }
     throw InvalidArgument(message.take_sequence<std::string>());
   } catch (const std::length_error&) {
-    throw InvalidArgument(fmt::format("{}: the file is broken: its reader {}", path,
-                                      ran_out_of_time(status) ? "ran out of time or memory" : "crashed on it"));
+    const std::string signal = WIFSIGNALED(status) ? fmt::format(" ({})", strsignal(WTERMSIG(status))) : "";
+    throw InvalidArgument(fmt::format("{}: assimp's reader {} it{}: the file is broken, or assimp has a fault", path,
+                                      ran_out_of_time(status) ? "ran out of time or memory on" : "crashed on", signal));
   }
 }
 

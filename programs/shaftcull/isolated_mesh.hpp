@@ -10,6 +10,6 @@ namespace shaftcull::cli {
 
 /// As load_mesh(), but also throws InvalidArgument if the file makes its reader crash or run on without end, as
 /// some broken files do to some of assimp's many readers. Call it before threads are started: it forks.
-[[nodiscard]] MeshScene load_mesh_isolated(const std::string& path, bool with_triangles);
+[[nodiscard]] MeshScene load_mesh_isolated(const std::string& path, const MeshReading& reading);
 
 }  // namespace shaftcull::cli

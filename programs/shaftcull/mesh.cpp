@@ -7,11 +7,13 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <set>
-#include <span>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
+#include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
@@ -50,20 +52,30 @@ void require_readable(const std::string& path) {
 /// Walks a file's nodes and collects what has faces.
 class Collector {
  public:
-  Collector(const std::string& path, const aiScene& file, bool with_triangles)
-      : path_(path), file_(file), with_triangles_(with_triangles) {}
+  Collector(const std::string& path, const aiScene& file, const MeshReading& reading)
+      : path_(path), file_(file), reading_(reading) {}
 
   MeshScene collect() {
     split_meshes_ = count_nodes_with_meshes(*file_.mRootNode) == 1;
     visit(*file_.mRootNode, aiMatrix4x4{});
+    for (const Object& object : objects_) add_object(object);
     if (triangles_.empty())
       throw InvalidArgument(fmt::format("{}: the file has no faces, so there is nothing to ask about", path_));
     scene_.parts = divide_into_parts(triangles_, (triangles_.size() + usual_parts - 1) / usual_parts);
-    if (with_triangles_) scene_.triangles = std::move(triangles_);
+    if (reading_.triangles) scene_.triangles = std::move(triangles_);
     return std::move(scene_);
   }
 
  private:
+  struct PlacedMesh {
+    const aiMesh* mesh;
+    aiMatrix4x4 to_world;
+  };
+  struct Object {
+    std::string name;
+    std::vector<PlacedMesh> meshes;
+  };
+
   static std::size_t count_nodes_with_meshes(const aiNode& node) {
     std::size_t count = node.mNumMeshes > 0 ? 1 : 0;
     for (unsigned i = 0; i < node.mNumChildren; ++i) count += count_nodes_with_meshes(*node.mChildren[i]);
@@ -72,27 +84,54 @@ class Collector {
 
   void visit(const aiNode& node, const aiMatrix4x4& parent_to_world) {
     const aiMatrix4x4 to_world = parent_to_world * node.mTransformation;
-    if (split_meshes_) {
-      for (unsigned i = 0; i < node.mNumMeshes; ++i) {
-        const aiMesh& mesh = *file_.mMeshes[node.mMeshes[i]];
-        const bool mesh_names_it = mesh.mName.length > 0 && node.mNumMeshes > 1;
-        add_object(mesh_names_it ? mesh.mName : node.mName, {node.mMeshes + i, 1}, to_world);
+    for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+      const aiMesh& mesh = *file_.mMeshes[node.mMeshes[i]];
+      if (reading_.by_material) {
+        object_of_material(mesh.mMaterialIndex).meshes.push_back({&mesh, to_world});
+        continue;
       }
-    } else if (node.mNumMeshes > 0) {
-      add_object(node.mName, {node.mMeshes, node.mNumMeshes}, to_world);
+      if (i == 0 || split_meshes_) objects_.push_back({name_of(node, mesh), {}});
+      objects_.back().meshes.push_back({&mesh, to_world});
     }
     for (unsigned i = 0; i < node.mNumChildren; ++i) visit(*node.mChildren[i], to_world);
   }
 
-  void add_object(const aiString& name, std::span<const unsigned> meshes, const aiMatrix4x4& to_world) {
+  /// Materials are objects in the order in which they are used.
+  Object& object_of_material(unsigned material) {
+    const auto [object, is_new] = object_of_material_.try_emplace(material, objects_.size());
+    if (is_new) {
+      aiString name;
+      file_.mMaterials[material]->Get(AI_MATKEY_NAME, name);
+      objects_.push_back({name.C_Str(), {}});
+    }
+    return objects_[object->second];
+  }
+
+  /// The name of a node's object that begins with this mesh, which may be empty.
+  [[nodiscard]] std::string name_of(const aiNode& node, const aiMesh& mesh) const {
+    const std::string of_node = given_name(node.mName);
+    std::string of_mesh = given_name(mesh.mName);
+    if (split_meshes_ && node.mNumMeshes > 1) return of_mesh.empty() ? of_node : of_mesh;
+    // The reader of glTF numbers meshes that it made of one: "lamp-0".
+    if (node.mNumMeshes > 1 && of_mesh.ends_with("-0")) of_mesh.resize(of_mesh.size() - 2);
+    return of_node.empty() ? of_mesh : of_node;
+  }
+
+  /// Empty for names that the reader of glTF makes up: "nodes[0]", "meshes[1]-0".
+  static std::string given_name(const aiString& name) {
+    const std::string_view text = name.C_Str();
+    return text.starts_with("nodes[") || text.starts_with("meshes[") ? std::string() : std::string(text);
+  }
+
+  void add_object(const Object& object_in_file) {
     const auto object = static_cast<std::uint32_t>(scene_.boxes.size());
-    const std::string unique = unique_name(name.C_Str());
-    // A reflection turns the order of vertices round, and with it the side that a triangle faces.
-    const bool reflects = aiMatrix3x3(to_world).Determinant() < 0;
+    const std::string unique = unique_name(object_in_file.name);
     Box whole = empty_box;
     std::uint32_t triangle = 0;
-    for (const unsigned m : meshes) {
-      const aiMesh& mesh = *file_.mMeshes[m];
+    for (const auto& [placed, to_world] : object_in_file.meshes) {
+      const aiMesh& mesh = *placed;
+      // A reflection turns the order of vertices round, and with it the side that a triangle faces.
+      const bool reflects = aiMatrix3x3(to_world).Determinant() < 0;
       for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
         if (mesh.mFaces[f].mNumIndices == 0) continue;
         std::array<Vec3, 3> vertices = face_vertices(mesh, mesh.mFaces[f], to_world, unique);
@@ -142,8 +181,10 @@ class Collector {
 
   const std::string& path_;
   const aiScene& file_;
-  bool with_triangles_;
+  MeshReading reading_;
   bool split_meshes_ = false;
+  std::vector<Object> objects_;
+  std::map<unsigned, std::size_t> object_of_material_;
   std::set<std::string> taken_;  ///< names given
   std::vector<MeshTriangle> triangles_;
   MeshScene scene_;
@@ -161,18 +202,33 @@ void require_complete_ply_header(const std::string& path) {
   throw InvalidArgument(fmt::format("{}: the file is broken: its PLY header has no end_header line", path));
 }
 
+/// Why assimp reads no scene from the file. It takes files of unknown formats for such as it knows.
+std::string refusal_of(const std::string& path, const Assimp::Importer& importer) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  if (extension.empty() || importer.IsExtensionSupported(extension.c_str())) {
+    return fmt::format("{}: the file is broken, or not what its name says; assimp says: {}", path,
+                       importer.GetErrorString());
+  }
+  aiString known;
+  importer.GetExtensionList(known);  // "*.3d;*.3ds"
+  std::string formats = known.C_Str();
+  std::erase(formats, '*');
+  std::replace(formats.begin(), formats.end(), ';', ' ');
+  return fmt::format("{}: files of this kind cannot be read; convert it to one of {}", path, formats);
+}
+
 }  // namespace
 
-MeshScene load_mesh(const std::string& path, bool with_triangles) {
+MeshScene load_mesh(const std::string& path, const MeshReading& reading) {
   require_readable(path);
   require_complete_ply_header(path);
   Assimp::Importer importer;
   const aiScene* file = importer.ReadFile(path, aiProcess_Triangulate);
   if (file == nullptr) {
-    throw InvalidArgument(fmt::format("{}: not a mesh file that can be read: {}", path, importer.GetErrorString()));
+    throw InvalidArgument(refusal_of(path, importer));
   }
   if (file->mRootNode == nullptr) throw InvalidArgument(fmt::format("{}: the file has no scene in it", path));
-  return Collector(path, *file, with_triangles).collect();
+  return Collector(path, *file, reading).collect();
 }
 
 }  // namespace shaftcull::cli

@@ -31,9 +31,10 @@ struct MeshPart {
 
 /// The objects of a mesh file, what they are made of, and the boxes of all that.
 ///
-/// An object is a node of the file's hierarchy that has meshes, placed in world space, under its node's name; in a file
-/// with a single such node, each of its meshes is an object. Nameless objects are called "object 1", …; a name
-/// that comes again gets a suffix, "wheel #2". Triangles include points, lines and parts of larger faces.
+/// An object is a node of the file's hierarchy that has meshes, placed in world space, under its node's name, or that
+/// of its mesh if it has none; in a file with a single such node, each of its meshes is an object. Or else an object is
+/// all that has one material. Nameless objects are called "object 1", …; a name that comes again gets a suffix, "wheel
+/// #2". Triangles include points, lines and parts of larger faces.
 struct MeshScene {
   std::vector<std::string> names;       ///< one for each object, all different
   std::vector<Box> boxes;               ///< one for each object
@@ -41,8 +42,14 @@ struct MeshScene {
   std::vector<MeshTriangle> triangles;  ///< by object; empty if they were not asked for
 };
 
-/// Reads any format that assimp knows. Throws InvalidArgument, naming the file, if it is missing, empty, broken, has
-/// no face in it, or has a vertex that is not finite.
-[[nodiscard]] MeshScene load_mesh(const std::string& path, bool with_triangles);
+/// What is read of a file.
+struct MeshReading {
+  bool triangles = true;
+  bool by_material = false;  ///< objects are materials, not nodes
+};
+
+/// Reads any format that assimp knows. Throws InvalidArgument, naming the file, if it is missing, empty, broken, of an
+/// unknown format, has no face in it, or has a vertex that is not finite.
+[[nodiscard]] MeshScene load_mesh(const std::string& path, const MeshReading& reading);
 
 }  // namespace shaftcull::cli

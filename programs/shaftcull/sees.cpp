@@ -87,7 +87,9 @@ void add_sees(CLI::App& program) {
   CLI::App& sees = *program.add_subcommand(
       "sees", "Tell of all pairs of patches of a mesh file which see each other for certain, and which cannot");
   CLI::Option* scene =
-      sees.add_option("scene,--scene", options->path, "Mesh file, in any format that assimp reads")->type_name("FILE");
+      sees.add_option("scene,--scene", options->paths, "Mesh files of one scene, in any format that assimp reads")
+          ->type_name("FILE");
+  sees.add_flag("--by-material", options->by_material, "Objects are materials, not nodes of the file");
   CLI::Option* rooms = add_number(sees, "--rooms", options->rooms, 1, most_rooms,
                                   "Instead of a file: so many rooms with doors and furniture, made from --seed")
                            ->type_name("N");
@@ -147,7 +149,7 @@ void add_sees(CLI::App& program) {
     }
     if (scene->count() != 0 && rooms->count() != 0) {
       throw InvalidArgument(fmt::format("sees: the file {} and --rooms {} do not go together; give one of them",
-                                        options->path, options->rooms));
+                                        fmt::join(options->paths, ", "), options->rooms));
     }
     run(*options);
   });

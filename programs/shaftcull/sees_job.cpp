@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "isolated_mesh.hpp"
+#include "mesh_files.hpp"
 #include "rooms.hpp"
 #include "shaftcull/shaftcull.hpp"
 
@@ -15,6 +15,12 @@ namespace shaftcull::cli {
 namespace {
 
 bool is_output(const std::string& path) { return !path.empty() && is_standard_output(path); }
+
+std::string source_of(const SeesOptions& options) {
+  if (options.rooms != 0) return fmt::format("{} room{}", options.rooms, options.rooms == 1 ? "" : "s");
+  const std::size_t more = options.paths.size() - 1;
+  return options.paths.front() + (more == 0 ? "" : fmt::format(" and {} more file{}", more, more == 1 ? "" : "s"));
+}
 
 /// A line about normals that seem to point the wrong way; empty if they do not.
 std::string hint_of(const SeesReport& report, const SeesChoice& choice) {
@@ -29,10 +35,7 @@ std::string hint_of(const SeesReport& report, const SeesChoice& choice) {
 
 }  // namespace
 
-SeesJob::SeesJob(const SeesOptions& options)
-    : options_(options),
-      source_(options.rooms != 0 ? fmt::format("{} room{}", options.rooms, options.rooms == 1 ? "" : "s")
-                                 : options.path) {}
+SeesJob::SeesJob(const SeesOptions& options) : options_(options), source_(source_of(options)) {}
 
 void SeesJob::check() const {
   if ((is_output(options_.out) && is_output(options_.svg)) || (!options_.out.empty() && options_.out == options_.svg)) {
@@ -42,9 +45,10 @@ void SeesJob::check() const {
 }
 
 void SeesJob::prepare() {
-  scene_.emplace(make_sees_scene(
-      options_.rooms != 0 ? make_rooms(options_.rooms, options_.seed) : load_mesh_isolated(options_.path, true),
-      options_.choice, source_));
+  scene_.emplace(make_sees_scene(options_.rooms != 0
+                                     ? make_rooms(options_.rooms, options_.seed)
+                                     : load_mesh_files(options_.paths, {.by_material = options_.by_material}),
+                                 options_.choice, source_));
   patches_.emplace(scene_->boxes, scene_->planes);
 }
 

@@ -18,7 +18,8 @@
 namespace shaftcull::cli {
 
 struct SeesOptions {
-  std::string path;
+  std::vector<std::string> paths;
+  bool by_material = false;
   std::size_t rooms = 0;
   SeesChoice choice;
   SightContent content;
@@ -58,7 +59,7 @@ class SeesJob {
 
  private:
   const SeesOptions& options_;
-  std::string source_;
+  std::string source_;  ///< what messages call the scene
   std::optional<SeesScene> scene_;
   std::optional<SeesBlocks> patches_;
   std::vector<SightSink*> sinks_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sees_report.hpp"
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -109,8 +110,8 @@ std::string json_of(const SeesReport& report) {
                                     {"found", std::move(found)},
                                     {"rays", report.rays},
                                     {"pairs", std::move(pairs)},
-                                    {"seconds", report.seconds},
-                                    {"pairs_per_second", rate_of(report)},
+                                    {"seconds", std::round(report.seconds * 1e6) / 1e6},
+                                    {"pairs_per_second", std::llround(rate_of(report))},
                                     {"threads", report.threads},
                                     {"ranks", report.ranks},
                                     {"memory", report.memory},

@@ -9,7 +9,7 @@ namespace shaftcull::cli {
 namespace {
 
 TEST(NoMeshReader, NamesTheFileThePackagesAndTheOption) {
-  const std::string message = message_of([] { static_cast<void>(load_mesh_isolated("room.obj", true)); });
+  const std::string message = message_of([] { static_cast<void>(load_mesh_isolated("room.obj", {})); });
   EXPECT_THAT(message, testing::HasSubstr("room.obj: this program was built without assimp"));
   EXPECT_THAT(message, testing::HasSubstr("libassimp-dev"));
   EXPECT_THAT(message, testing::HasSubstr("SHAFTCULL_WITH_ASSIMP=ON"));

@@ -173,7 +173,9 @@ v 1 0 0
 v 1 1 0
 v 1 1 1
 v 1 0 1
+o left
 f 1 2 3 4
+o right
 f 5 6 7 8
 )";
 
@@ -199,6 +201,58 @@ TEST_F(CliSeesMesh, CoordinatesThatFloatsCannotHoldAreToldInNumbers) {
               AllOf(HasSubstr("Coordinates reach 4512345.5, where floats are 0.5 apart"), HasSubstr("patches are 0.25"),
                     HasSubstr("the thinnest object 0.5"), HasSubstr("where floats are 1e-07 apart")));
   EXPECT_THAT(said(folder_.write("near.obj", wall("4", "4.5"))), testing::Not(HasSubstr("Coordinates reach")));
+}
+
+/// What the program calls the objects of a scene: those that it names where one is missing.
+std::string names_in(const std::vector<std::string>& arguments) {
+  return refusal_of(with(with({"sees"}, arguments), {"--solid", "no such name"}));
+}
+
+TEST_F(CliSeesMesh, FilesAreOneSceneAndNameTheirOnlyObject) {
+  const auto stl = [&](const std::string& name, const std::string& z) {
+    return folder_.write(name, "solid exported\nfacet normal 0 0 1\nouter loop\nvertex 0 0 " + z + "\nvertex 1 0 " + z +
+                                   "\nvertex 0 1 " + z + "\nendloop\nendfacet\nendsolid exported\n");
+  };
+  const std::string two = folder_.write("two.obj", "o a\nv 0 0 5\nv 0 1 5\nv 1 0 5\nf 1 2 3\no b\nf 1 2 3\n");
+  const std::vector<std::string> files{stl("floor.stl", "0"), stl("roof.stl", "1"), two};
+  const auto report =
+      nlohmann::json::parse(output_of(with(with({"sees"}, files), {"--patches", "9", "--format", "json"})));
+  EXPECT_EQ(report["objects"], 4);
+  EXPECT_EQ(report["scene"], files[0] + " and 2 more files");
+  EXPECT_EQ(report["pairs"]["all"], 6);
+  EXPECT_THAT(names_in(files),
+              AllOf(HasSubstr("'floor'"), HasSubstr("'roof'"), HasSubstr("'two/a'"), HasSubstr("'two/b'")));
+}
+
+TEST_F(CliSeesMesh, ANodeWithoutANameHasThatOfItsMesh) {
+  const std::string file =
+      folder_.write("leaves.gltf", gltf_of_nodes({R"({"mesh":0})", R"({"mesh":0})", R"({"name":"stem","mesh":0})"}));
+  EXPECT_THAT(names_in({file}), AllOf(HasSubstr("'leaf'"), HasSubstr("'leaf #2'"), HasSubstr("'stem'")));
+}
+
+TEST_F(CliSeesMesh, MaterialsCanBeObjects) {
+  const std::string file = folder_.write("house.obj",
+                                         "o north\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl brick\nf 1 2 3\nusemtl glass\n"
+                                         "f 1 2 3\no south\nusemtl brick\nf 1 2 3\n");
+  EXPECT_THAT(names_in({file}), AllOf(HasSubstr("'north'"), HasSubstr("'south'"), testing::Not(HasSubstr("brick"))));
+  EXPECT_THAT(names_in({file, "--by-material"}),
+              AllOf(HasSubstr("'brick'"), HasSubstr("'glass'"), testing::Not(HasSubstr("north"))));
+}
+
+TEST_F(CliSeesMesh, ForAFileOfAnUnknownKindThoseThatCanBeReadAreNamed) {
+  const std::string radiance = folder_.write("x.mgf", "m brick = v\n");
+  EXPECT_THAT(refusal_of({"sees", radiance}),
+              AllOf(HasSubstr("x.mgf: files of this kind cannot be read; convert it to one of"), HasSubstr(" .obj "),
+                    HasSubstr(" .stl "), testing::Not(HasSubstr("too small"))));
+  EXPECT_THAT(refusal_of({"sees", folder_.write("x.glb", "not that")}), HasSubstr("assimp says: "));
+}
+
+TEST_F(CliSeesMesh, NumbersOfJsonAreShort) {
+  const std::string json = output_of({"sees", file(upright_wall()), "--format", "json"});
+  for (const std::string key : {"seconds", "pairs_per_second", "patch_size"}) {
+    const std::size_t begin = json.find(key + "\": ") + key.size() + 3;
+    EXPECT_LE(json.find_first_of(",\n", begin) - begin, 12) << json.substr(begin, 30);
+  }
 }
 
 TEST_F(CliSeesMesh, ADentIsNotSolid) {

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "mesh_files.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "file_path.hpp"
+#include "isolated_mesh.hpp"
+
+namespace shaftcull::cli {
+namespace {
+
+/// Adds the objects of a file, which is called so. `taken` are names of others.
+void append(MeshScene& scene, MeshScene more, const std::string& file, std::set<std::string>& taken) {
+  const auto first_object = static_cast<std::uint32_t>(scene.names.size());
+  const auto first_part = static_cast<std::uint32_t>(scene.parts.size());
+  for (const std::string& name : more.names) {
+    const std::string wanted = more.names.size() == 1 ? file : fmt::format("{}/{}", file, name);
+    std::string unique = wanted;
+    for (int copy = 2; !taken.insert(unique).second; ++copy) unique = fmt::format("{} #{}", wanted, copy);
+    scene.names.push_back(unique);
+  }
+  for (MeshPart& part : more.parts) part.object += first_object;
+  for (MeshTriangle& triangle : more.triangles) {
+    triangle.object += first_object;
+    triangle.part += first_part;
+  }
+  scene.boxes.insert(scene.boxes.end(), more.boxes.begin(), more.boxes.end());
+  scene.parts.insert(scene.parts.end(), more.parts.begin(), more.parts.end());
+  scene.triangles.insert(scene.triangles.end(), more.triangles.begin(), more.triangles.end());
+}
+
+}  // namespace
+
+MeshScene load_mesh_files(std::span<const std::string> paths, const MeshReading& reading) {
+  if (paths.size() == 1) return load_mesh_isolated(paths.front(), reading);
+  MeshScene scene;
+  std::set<std::string> taken;
+  for (const std::string& path : paths) {
+    append(scene, load_mesh_isolated(path, reading), file_name(file_path(path).stem()), taken);
+  }
+  return scene;
+}
+
+}  // namespace shaftcull::cli
