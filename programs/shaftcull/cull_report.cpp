@@ -106,13 +106,6 @@ std::string as_text(const CullReport& report) {
   return text;
 }
 
-std::string csv_cell(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string cell = "\"";
-  for (const char c : text) cell += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return cell + '"';
-}
-
 std::string as_csv(const CullReport& report) {
   std::string text = fmt::format("pair,from,to,object,{},answer,lo_x,lo_y,lo_z,hi_x,hi_y,hi_z{}\n",
                                  report.grain == Grain::part ? "part" : "triangle", report.times ? ",time" : "");

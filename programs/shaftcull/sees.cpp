@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 #include <span>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -30,7 +31,7 @@ void run(const SeesOptions& options) {
   options.isa.select();
   job.prepare();
   const std::span<SightSink* const> sinks = job.open();
-  const std::unique_ptr<OutputFile> picture = job.open_picture();
+  const SeesPictures pictures = job.open_pictures();
   const Workers workers(options.threads);
   SeesReport report{};
   {
@@ -40,7 +41,7 @@ void run(const SeesOptions& options) {
       report = run_sees(job.scene(), job.patches(), job.work(), job.source(), options.out, sinks, progress, interrupt);
     });
   }
-  job.finish(report, picture.get());
+  job.finish(std::move(report), pictures);
 }
 
 }  // namespace
@@ -89,10 +90,12 @@ void add_sees(CLI::App& program) {
   CLI::Option* scene =
       sees.add_option("scene,--scene", options->paths, "Mesh files of one scene, in any format that assimp reads")
           ->type_name("FILE");
-  sees.add_flag("--by-material", options->by_material, "Objects are materials, not nodes of the file");
   CLI::Option* rooms = add_number(sees, "--rooms", options->rooms, 1, most_rooms,
                                   "Instead of a file: so many rooms with doors and furniture, made from --seed")
                            ->type_name("N");
+  sees.add_flag("--by-material", options->by_material, "Objects are materials, not nodes of the file")->excludes(rooms);
+  add_number(sees, "--scale", options->choice.scale, 1e-9, 1e9, "Multiply coordinates: 0.001 for a file in millimetres")
+      ->type_name("FACTOR");
   add_number(
       sees, "--patches", options->choice.patch_size, 1e-30, 1e30,
       "Triangles are split until no edge is longer (default: a 32nd of the scene, or more for 500 million pairs)")
@@ -124,6 +127,10 @@ void add_sees(CLI::App& program) {
                       "Draw patches from above, coloured by what share of the others they see; - is standard "
                       "output")
           ->type_name("FILE");
+  sees.add_option("--ply", options->ply,
+                  "Write patches as a mesh, coloured by what share of the others they see: face i is patch i")
+      ->type_name("FILE");
+  sees.add_flag("--objects", options->objects, "Report also what each two objects see of each other");
   sees.add_option("--up", options->up, "With --svg: the axis that points up in the scene (default: z)")
       ->check(CLI::IsMember({"x", "y", "z"}))
       ->type_name("AXIS")

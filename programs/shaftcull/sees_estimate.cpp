@@ -29,6 +29,7 @@ constexpr std::size_t most_sampled = 4096;
 /// Patches of a run lie together, as those that are asked about together do.
 constexpr std::size_t runs = 16;
 constexpr std::chrono::milliseconds time_for_rays{200};
+constexpr double a_moment = 10;  // seconds
 constexpr double hour = 3600;
 
 struct SampledPatches {
@@ -54,7 +55,7 @@ SampledPatches sampled(const SeesScene& scene, std::span<const std::uint32_t> or
   return {std::move(patches), PatchSet(boxes, planes)};
 }
 
-double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+double elapsed(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 /// What a share of all pairs took, to be multiplied.
 struct Sample {
@@ -92,7 +93,7 @@ class Sampler {
     } else {
       static_cast<void>(count_visibility(a_.set, b_.set, scene_.occluders, options_));
     }
-    sample.seconds = seconds_since(begin);
+    sample.seconds = elapsed(begin);
     if (some_) sample.seconds += static_cast<double>(sample.undecided) * seconds_per_pair_of_rays() / concurrency();
     return sample;
   }
@@ -123,7 +124,7 @@ class Sampler {
       static_cast<void>(rays.seen(scene_.patches, a_.patches[some_->pairs[i].a], b_.patches[some_->pairs[i].b],
                                   std::span(some_->candidates).subspan(first, some_->first_candidate[i + 1] - first)));
     } while (++asked < count && Clock::now() - begin < time_for_rays);
-    return seconds_since(begin) / static_cast<double>(asked);
+    return elapsed(begin) / static_cast<double>(asked);
   }
 
   const SeesScene& scene_;
@@ -200,6 +201,7 @@ std::string estimate(const SeesScene& scene, const SeesBlocks& patches, const Se
   const double pairs = static_cast<double>(patches.pairs());
   const Sample sample = Sampler(scene, patches, work).take(delivers || work.content.rays != 0);
   const double seconds = sample.seconds * pairs / static_cast<double>(sample.pairs) / ranks;
+  if (out.empty() && seconds < a_moment) return {};
   std::string text = fmt::format("This will take about {}", duration(seconds));
   if (!out.empty()) {
     text +=

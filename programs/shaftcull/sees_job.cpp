@@ -2,8 +2,10 @@
 #include "sees_job.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -38,9 +40,16 @@ std::string hint_of(const SeesReport& report, const SeesChoice& choice) {
 SeesJob::SeesJob(const SeesOptions& options) : options_(options), source_(source_of(options)) {}
 
 void SeesJob::check() const {
-  if ((is_output(options_.out) && is_output(options_.svg)) || (!options_.out.empty() && options_.out == options_.svg)) {
-    throw InvalidArgument(
-        fmt::format("--out {} --svg {}: one cannot be both; give two files", options_.out, options_.svg));
+  const std::array<std::pair<const char*, const std::string&>, 3> files{
+      {{"--out", options_.out}, {"--svg", options_.svg}, {"--ply", options_.ply}}};
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const auto& [option, path] = files[j];
+      const auto& [other_option, other_path] = files[i];
+      if (path.empty() || (path != other_path && !(is_output(path) && is_output(other_path)))) continue;
+      throw InvalidArgument(
+          fmt::format("{} {} {} {}: one cannot be both; give two files", option, path, other_option, other_path));
+    }
   }
 }
 
@@ -59,27 +68,38 @@ std::span<SightSink* const> SeesJob::open() {
     file_ = sight_file(options_.out, *scene_, patches_->order(), options_.content);
     sinks_.push_back(file_.get());
   }
-  if (SeenShares* const shares = open_shares()) sinks_.push_back(shares);
+  for (SummingSink* const sums : open_sums()) sinks_.push_back(sums);
   return sinks_;
 }
 
-SeenShares* SeesJob::open_shares() {
-  return options_.svg.empty() ? nullptr : &shares_.emplace(patches_->order(), options_.content.rays);
+std::span<SummingSink* const> SeesJob::open_sums() {
+  const std::uint32_t rays = options_.content.rays;
+  if (!options_.svg.empty() || !options_.ply.empty()) sums_.push_back(&shares_.emplace(patches_->order(), rays));
+  if (options_.objects) sums_.push_back(&objects_.emplace(*scene_, patches_->order(), rays));
+  return sums_;
 }
 
-std::unique_ptr<OutputFile> SeesJob::open_picture() const {
-  return options_.svg.empty() ? nullptr : std::make_unique<OutputFile>(options_.svg);
+SeesPictures SeesJob::open_pictures() const {
+  const auto opened = [](const std::string& path) {
+    return path.empty() ? nullptr : std::make_unique<OutputFile>(path);
+  };
+  return {opened(options_.svg), opened(options_.ply)};
 }
 
-void SeesJob::finish(const SeesReport& report, OutputFile* picture) {
-  if (picture != nullptr) {
-    picture->write(svg_of_shares(*scene_, *shares_, static_cast<std::size_t>(options_.up[0] - 'x')));
-    picture->finish();
+void SeesJob::finish(SeesReport report, const SeesPictures& pictures) {
+  if (pictures.svg) {
+    pictures.svg->write(svg_of_shares(*scene_, *shares_, static_cast<std::size_t>(options_.up[0] - 'x')));
+    pictures.svg->finish();
   }
+  if (pictures.ply) {
+    write_ply(*scene_, *shares_, *pictures.ply);
+    pictures.ply->finish();
+  }
+  if (objects_) report.object_pairs = objects_->pairs();
   const std::string hint = hint_of(report, options_.choice);
   if (!hint.empty()) static_cast<void>(std::fputs(hint.c_str(), stderr));
   // Where a file is standard output, the report goes elsewhere.
-  const bool is_taken = is_output(options_.out) || is_output(options_.svg);
+  const bool is_taken = is_output(options_.out) || is_output(options_.svg) || is_output(options_.ply);
   std::fputs(format_report(report, report_format(options_.format)).c_str(), is_taken ? stderr : stdout);
 }
 

@@ -27,17 +27,25 @@ struct SeesOptions {
   std::size_t megabytes = 256;
   std::string out;
   std::string svg;
+  std::string ply;
+  bool objects = false;  ///< what objects see of each other is reported
   std::string up = "z";
   std::string format = "text";
   int threads = 0;
   InstructionSet isa;
 };
 
+/// Null if they are not wanted.
+struct SeesPictures {
+  std::unique_ptr<OutputFile> svg;
+  std::unique_ptr<OutputFile> ply;
+};
+
 class SeesJob {
  public:
   explicit SeesJob(const SeesOptions& options);
 
-  /// Throws InvalidArgument for files that cannot be written both.
+  /// Throws InvalidArgument for files that cannot all be written.
   void check() const;
   /// Makes the scene. The same on every process.
   void prepare();
@@ -50,12 +58,13 @@ class SeesJob {
 
   /// Opens the file of answers that is to be written; answers go to these sinks. For one process that has all answers.
   [[nodiscard]] std::span<SightSink* const> open();
-  /// What the picture shows, if one is wanted; null otherwise. For several processes, of which each takes some answers.
-  [[nodiscard]] SeenShares* open_shares();
-  /// Opens the picture, if one is wanted; null otherwise. To be called by the process that finishes.
-  [[nodiscard]] std::unique_ptr<OutputFile> open_picture() const;
-  /// Draws the picture, if there is one, and prints the report.
-  void finish(const SeesReport& report, OutputFile* picture);
+  /// What pictures and the report show besides counts of all pairs. For several processes, of which each takes some
+  /// answers.
+  [[nodiscard]] std::span<SummingSink* const> open_sums();
+  /// Opens the pictures that are wanted. To be called by the process that finishes.
+  [[nodiscard]] SeesPictures open_pictures() const;
+  /// Draws the pictures, and prints the report.
+  void finish(SeesReport report, const SeesPictures& pictures);
 
  private:
   const SeesOptions& options_;
@@ -64,7 +73,9 @@ class SeesJob {
   std::optional<SeesBlocks> patches_;
   std::vector<SightSink*> sinks_;
   std::unique_ptr<SightSink> file_;
+  std::vector<SummingSink*> sums_;
   std::optional<SeenShares> shares_;
+  std::optional<ObjectSights> objects_;
 };
 
 /// What is known of a run before it is asked.

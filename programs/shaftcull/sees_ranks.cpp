@@ -10,6 +10,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -52,7 +53,8 @@ std::uint64_t checksum_of(const SeesScene& scene) {
 
 /// Where answers are kept: beside the file that is written last, so that it is on the same file system.
 std::string folder_beside(const SeesOptions& options) {
-  const std::string& path = options.out.empty() ? options.svg : options.out;
+  const std::string& picture = options.svg.empty() ? options.ply : options.svg;
+  const std::string& path = options.out.empty() ? picture : options.out;
   return path.empty() ? path : file_behind(path) + ".parts";
 }
 
@@ -69,8 +71,8 @@ class RankedSees {
       : job_(job),
         ranks_(ranks),
         surroundings_(surroundings),
-        keeps_(!job.options().out.empty() || !job.options().svg.empty()),
         folder_(folder_beside(job.options())),
+        keeps_(!folder_.path().empty()),
         part_(folder_.path() + "/result"),
         progress_(stderr, ranks.rank() == 0 ? batch::ProgressForm::text : batch::ProgressForm::none) {}
 
@@ -103,14 +105,16 @@ class RankedSees {
                     {"rays", fmt::format("{}", options.content.rays)},
                     {"candidates", options.content.candidates ? "written" : "not written"},
                     {"seed", fmt::format("{}", options.seed)}};
-    const std::string text = batch::text_of(description_) + options.out + '\n' + options.svg;
+    const std::string text = batch::text_of(description_) + options.out + '\n' + options.svg + '\n' + options.ply +
+                             (options.objects ? "\nobjects" : "");
     batch::agree_on(ranks_, batch::checksum(std::as_bytes(std::span(text))),
                     "was started with other options than rank 0");
   }
 
   void announce() const {
     std::string text = announcement(job_.source(), job_.scene(), job_.patches()) + '\n';
-    const std::string likely = estimate(job_.scene(), job_.patches(), work_, job_.options().out, keeps_, ranks_.size());
+    const std::string likely =
+        estimate(job_.scene(), job_.patches(), work_, job_.options().out, keeps_ || !sums_.empty(), ranks_.size());
     if (!likely.empty()) text += likely + '\n';
     static_cast<void>(std::fputs(text.c_str(), stderr));
   }
@@ -118,9 +122,9 @@ class RankedSees {
   void begin_files() {
     const std::string& out = job_.options().out;
     if (!out.empty()) places_ = sight_places(out, job_.scene(), job_.patches(), work_.content);
-    shares_ = job_.open_shares();
+    sums_ = job_.open_sums();
     if (ranks_.rank() != 0) return;
-    picture_ = job_.open_picture();
+    pictures_ = job_.open_pictures();
     if (keeps_) folder_.lock();
     if (keeps_) folder_.begin(description_);
     if (places_) file_.emplace(out, part_);
@@ -128,9 +132,7 @@ class RankedSees {
 
   /// Takes from an answer what is to be known before all are there, while it is in memory.
   void note(std::size_t unit, const UnitAnswer& answer) {
-    std::vector<SightSink*> sinks;
-    if (shares_ != nullptr) sinks.push_back(shares_);
-    counts_ += hand_over(answer, sinks);
+    counts_ += hand_over(answer, std::vector<SightSink*>(sums_.begin(), sums_.end()));
     if (places_) places_->measure(unit, answer);
   }
 
@@ -166,7 +168,7 @@ class RankedSees {
       const std::size_t unit = left[static_cast<std::size_t>(piece)];
       threads_ = concurrency();
       if (!keeps_) {
-        counts_ += question.deliver(unit, {}, {});
+        counts_ += question.deliver(unit, std::vector<SightSink*>(sums_.begin(), sums_.end()), {});
         return {};
       }
       const auto answer = std::make_shared<const UnitAnswer>(answer_of(question, unit));
@@ -239,17 +241,17 @@ class RankedSees {
     ranks_.sum(counts);
     auto threads = static_cast<std::uint64_t>(threads_);
     ranks_.sum({&threads, 1});
-    if (shares_ != nullptr) ranks_.sum(shares_->sums());
+    for (SummingSink* const sums : sums_) ranks_.sum(sums->sums());
     batch::on_first(ranks_, [&] {
       if (file_) file_->finish();
-      if (shares_ != nullptr) shares_->finish();
+      for (SummingSink* const sums : sums_) sums->finish();
       SeesReport report = report_of(job_.scene(), work_, job_.source());
       report.counts = SeesCounts::of(counts);
       report.threads = static_cast<int>(threads);
       report.ranks = ranks_.size();
       report.seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
       report.memory = peak_memory();
-      job_.finish(report, picture_.get());
+      job_.finish(std::move(report), pictures_);
       if (keeps_) folder_.remove();
     });
   }
@@ -257,8 +259,8 @@ class RankedSees {
   SeesJob& job_;
   batch::Ranks& ranks_;
   const batch::Surroundings& surroundings_;
-  const bool keeps_;
   batch::JobFolder folder_;
+  const bool keeps_;        ///< answers, for files
   const std::string part_;  ///< the file of answers until it is finished
   batch::ProgressLines progress_;
   Clock::time_point begin_ = Clock::now();
@@ -269,9 +271,9 @@ class RankedSees {
   std::vector<std::uint64_t> finished_;  ///< 1 for each unit that an earlier run has stored
   std::unique_ptr<SightPlaces> places_;  ///< null if no file of answers is wanted
   std::optional<OutputFile> file_;       ///< of rank 0; answers are written under the name part_
-  std::unique_ptr<OutputFile> picture_;  ///< of rank 0; null if no picture is wanted
-  SeenShares* shares_ = nullptr;         ///< null if no picture is wanted
-  SeesCounts counts_;                    ///< of units that this rank answered, or found stored
+  SeesPictures pictures_;                ///< of rank 0
+  std::span<SummingSink* const> sums_;
+  SeesCounts counts_;  ///< of units that this rank answered, or found stored
   int threads_ = 0;
 };
 
@@ -288,6 +290,7 @@ void run_on_launched_ranks(SeesJob& job) {
     job.check();
     require_file("--out", options.out);
     require_file("--svg", options.svg);
+    require_file("--ply", options.ply);
     options.isa.select();
   };
   run_on_ranks(options.threads, check, [&](batch::Ranks& ranks, const batch::Surroundings& surroundings) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sees_report.hpp"
 
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -62,6 +63,25 @@ std::string solids_text(const SeesSolids& solids) {
   return text;
 }
 
+constexpr std::array object_sights{Sight::clear, Sight::occluded, Sight::facing_away, Sight::undecided};
+
+std::string table_of_objects(const SeesReport& report) {
+  std::vector<std::string> header{"pairs of objects", "pairs"};
+  for (const Sight sight : object_sights) header.emplace_back(name(sight));
+  if (report.rays != 0) header.emplace_back("rays seen");
+  Table table(std::move(header));
+  for (const ObjectPair& pair : report.object_pairs) {
+    const auto total = static_cast<double>(pair.sights.total());
+    std::vector<std::string> cells{printable(pair.a) + " - " + printable(pair.b), grouped(pair.sights.total())};
+    for (const Sight sight : object_sights) {
+      cells.push_back(fmt::format("{:.1f} %", 100 * static_cast<double>(pair.sights.of(sight)) / total));
+    }
+    if (report.rays != 0) cells.push_back(fmt::format("{:.1f} %", 100 * pair.rays_seen));
+    table.add_row(std::move(cells));
+  }
+  return table.text();
+}
+
 std::string text_of(const SeesReport& report) {
   const auto count = [](std::size_t n, const char* noun) {
     return fmt::format("{} {}{}", grouped(n), noun, n == 1 ? "" : "s");
@@ -78,6 +98,7 @@ std::string text_of(const SeesReport& report) {
   for (const PairKind& kind : kinds_of(report)) add(kind.words, kind.pairs);
   add("all", report.counts.sights.total());
   text += table.text();
+  if (!report.object_pairs.empty()) text += '\n' + table_of_objects(report);
   return text + fmt::format("\n{:.2f} s, {}pairs/s, {}{}, {}, {} MB of memory{}\n", report.seconds,
                             prefixed(rate_of(report)), count(static_cast<std::size_t>(report.threads), "thread"),
                             report.ranks == 1 ? "" : fmt::format(" of {} ranks", report.ranks), report.isa,
@@ -85,10 +106,34 @@ std::string text_of(const SeesReport& report) {
                             report.rays == 0 ? "" : fmt::format(", {} a pair", count(report.rays, "ray")));
 }
 
+std::string csv_of_objects(const SeesReport& report) {
+  std::string text = "a,b,pairs";
+  for (const Sight sight : object_sights) text += fmt::format(",{}", name(sight));
+  text += report.rays != 0 ? ",rays_seen\n" : "\n";
+  for (const ObjectPair& pair : report.object_pairs) {
+    text += fmt::format("{},{},{}", csv_cell(pair.a), csv_cell(pair.b), pair.sights.total());
+    for (const Sight sight : object_sights) text += fmt::format(",{}", pair.sights.of(sight));
+    text += report.rays != 0 ? fmt::format(",{:.6g}\n", pair.rays_seen) : "\n";
+  }
+  return text;
+}
+
+nlohmann::ordered_json json_of_objects(const SeesReport& report) {
+  auto list = nlohmann::ordered_json::array();
+  for (const ObjectPair& pair : report.object_pairs) {
+    nlohmann::ordered_json entry{{"a", pair.a}, {"b", pair.b}, {"pairs", pair.sights.total()}};
+    for (const Sight sight : object_sights) entry[name(sight)] = pair.sights.of(sight);
+    if (report.rays != 0) entry["rays_seen"] = std::round(pair.rays_seen * 1e6) / 1e6;
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
 std::string csv_of(const SeesReport& report) {
+  if (!report.object_pairs.empty()) return csv_of_objects(report);
   std::string text = "kind,pairs,share\n";
   for (const PairKind& kind : kinds_of(report)) {
-    text += fmt::format("{},{},{}\n", kind.key, kind.pairs, share_of(report, kind.pairs));
+    text += fmt::format("{},{},{:.6g}\n", kind.key, kind.pairs, share_of(report, kind.pairs));
   }
   return text;
 }
@@ -99,23 +144,24 @@ std::string json_of(const SeesReport& report) {
   pairs["all"] = report.counts.sights.total();
   nlohmann::ordered_json found{
       {"hulls", report.solids.hulls}, {"polygons", report.solids.polygons}, {"inner_boxes", report.solids.inner_boxes}};
-  const nlohmann::ordered_json root{{"scene", report.source},
-                                    {"objects", report.objects},
-                                    {"triangles", report.triangles},
-                                    {"patches", report.patches},
-                                    {"patch_size", report.patch_size},
-                                    {"occluders", report.occluders},
-                                    {"solids", report.solids.named},
-                                    {"solids_skipped", report.solids.skipped},
-                                    {"found", std::move(found)},
-                                    {"rays", report.rays},
-                                    {"pairs", std::move(pairs)},
-                                    {"seconds", std::round(report.seconds * 1e6) / 1e6},
-                                    {"pairs_per_second", std::llround(rate_of(report))},
-                                    {"threads", report.threads},
-                                    {"ranks", report.ranks},
-                                    {"memory", report.memory},
-                                    {"isa", report.isa}};
+  nlohmann::ordered_json root{{"scene", report.source},
+                              {"objects", report.objects},
+                              {"triangles", report.triangles},
+                              {"patches", report.patches},
+                              {"patch_size", report.patch_size},
+                              {"occluders", report.occluders},
+                              {"solids", report.solids.named},
+                              {"solids_skipped", report.solids.skipped},
+                              {"found", std::move(found)},
+                              {"rays", report.rays},
+                              {"pairs", std::move(pairs)},
+                              {"seconds", std::round(report.seconds * 1e6) / 1e6},
+                              {"pairs_per_second", std::llround(rate_of(report))},
+                              {"threads", report.threads},
+                              {"ranks", report.ranks},
+                              {"memory", report.memory},
+                              {"isa", report.isa}};
+  if (!report.object_pairs.empty()) root["object_pairs"] = json_of_objects(report);
   return root.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }
 

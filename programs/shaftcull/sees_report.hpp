@@ -3,9 +3,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "report_format.hpp"
-#include "sees_run.hpp"
+#include "sees_objects.hpp"
 
 namespace shaftcull::cli {
 
@@ -23,7 +24,8 @@ struct SeesReport {
   double seconds;
   int threads;  ///< of all ranks
   int ranks;
-  std::uint64_t memory;  ///< the most bytes that the program had, all in all
+  std::uint64_t memory;                       ///< the most bytes that the program had, all in all
+  std::vector<ObjectPair> object_pairs = {};  ///< empty if they are not asked for
 };
 
 /// The whole report, ended by a newline.

@@ -11,6 +11,7 @@
 #include <tuple>
 #include <vector>
 
+#include "output_file.hpp"
 #include "sees_blocks.hpp"
 #include "sees_scene.hpp"
 #include "shaftcull/visibility.hpp"
@@ -67,6 +68,13 @@ class SightSink {
 
 /// Rays against the triangles of the scene's occluders.
 [[nodiscard]] SightRays rays_of(const SeesScene& scene, const SeesWork& work);
+
+/// A sink that adds up answers which several processes take.
+class SummingSink : public SightSink {
+ public:
+  /// What was taken until now, to be added up over the processes before finish().
+  [[nodiscard]] virtual std::span<std::uint64_t> sums() noexcept = 0;
+};
 
 /// Asks in the caller's task_arena. Throws Cancelled if the progress callback says so, and what sinks throw.
 [[nodiscard]] SeesCounts find_what_sees(const SeesScene& scene, const SeesBlocks& patches, const SeesWork& work,
@@ -135,15 +143,14 @@ enum class SightForm : std::uint8_t { npz, csv };
 
 /// What share of the others each patch sees: of pairs that are clear all; of those with rays the share of the rays that
 /// arrive; of others nothing. And, without rays, of what share that is undecided.
-class SeenShares final : public SightSink {
+class SeenShares final : public SummingSink {
  public:
   SeenShares(std::span<const std::uint32_t> order, std::uint32_t rays);
 
   void take(const SightBatch& batch, std::span<const std::uint32_t> seen) override;
   void finish() override;
 
-  /// What was taken of each patch until now; for answers that several processes take, to be added up before finish().
-  [[nodiscard]] std::span<std::uint64_t> sums() noexcept { return sums_; }
+  [[nodiscard]] std::span<std::uint64_t> sums() noexcept override { return sums_; }
   /// One for each patch, from 0 to 1, when all answers were taken.
   [[nodiscard]] std::span<const double> seen() const noexcept { return std::span(shares_).first(order_.size()); }
   /// Likewise; all are 0 with rays.
@@ -159,5 +166,9 @@ class SeenShares final : public SightSink {
 /// An SVG picture of the scene as seen along axis `up`, from where it points: patches that face there, in the colour of
 /// the share that they see. If any is undecided, a second one beside it shows of what share.
 [[nodiscard]] std::string svg_of_shares(const SeesScene& scene, const SeenShares& shares, std::size_t up);
+
+/// Writes a PLY file of all patches: face i is patch i, in the colour of the share that it sees, with both shares and
+/// its object as numbers.
+void write_ply(const SeesScene& scene, const SeenShares& shares, OutputFile& file);
 
 }  // namespace shaftcull::cli

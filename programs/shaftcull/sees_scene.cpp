@@ -2,6 +2,7 @@
 #include "sees_scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <utility>
 
@@ -143,10 +144,35 @@ class OccluderMaker {
   SeesScene& scene_;
 };
 
+void scale(Box& box, double factor) {
+  for (Vec3* corner : {&box.lo, &box.hi}) {
+    for (float& x : *corner) x = static_cast<float>(double{x} * factor);
+  }
+}
+
+/// Throws InvalidArgument if coordinates are no longer finite.
+void scale(MeshScene& mesh, double factor) {
+  for (MeshTriangle& triangle : mesh.triangles) {
+    scale(triangle.box, factor);
+    for (Vec3& vertex : triangle.vertex) {
+      for (float& x : vertex) x = static_cast<float>(double{x} * factor);
+    }
+  }
+  for (MeshPart& part : mesh.parts) scale(part.box, factor);
+  for (Box& box : mesh.boxes) {
+    scale(box, factor);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (std::isfinite(box.lo[axis]) && std::isfinite(box.hi[axis])) continue;
+      throw InvalidArgument(fmt::format("--scale {}: coordinates are too large then for floats", factor));
+    }
+  }
+}
+
 }  // namespace
 
 SeesScene make_sees_scene(MeshScene mesh, const SeesChoice& choice, const std::string& source) {
   SeesScene scene{std::move(mesh), choice.patch_size, {}, {}, {}, {}, {}, {}};
+  if (choice.scale != 1) scale(scene.mesh, choice.scale);
   if (choice.flip) {
     for (MeshTriangle& triangle : scene.mesh.triangles) std::swap(triangle.vertex[1], triangle.vertex[2]);
   }

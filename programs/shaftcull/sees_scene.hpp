@@ -15,6 +15,7 @@ namespace shaftcull::cli {
 /// How a scene is made of a mesh.
 struct SeesChoice {
   double patch_size = 0;           ///< 0: usual_patch_size()
+  double scale = 1;                ///< of the mesh; the patch size is one of the scene that this makes
   bool two_sided = false;          ///< patches have no planes
   bool flip = false;               ///< triangles face the other way than in the file
   std::vector<std::string> solid;  ///< names of objects, or patterns of names

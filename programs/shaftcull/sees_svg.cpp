@@ -193,8 +193,8 @@ std::string svg_of_shares(const SeesScene& scene, const SeenShares& shares, std:
   if (std::all_of(undecided.begin(), undecided.end(), [](double share) { return share == 0; })) {
     return PatchPicture(scene, {&all, 1}, up).text();
   }
-  const ShareMap maps[] = {{shares.seen(), ramp_of_seen, "shares", "are proven to be seen"},
-                           {undecided, ramp_of_undecided, "undecided", "are undecided"}};
+  const ShareMap maps[] = {{shares.seen(), ramp_of_seen, "shares", "proven to be seen"},
+                           {undecided, ramp_of_undecided, "undecided", "undecided"}};
   return PatchPicture(scene, maps, up).text();
 }
 

@@ -48,4 +48,11 @@ std::string prefixed(double rate) {
   return fmt::format("{:.1f} k", rate / 1e3);
 }
 
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string cell = "\"";
+  for (const char c : text) cell += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return cell + '"';
+}
+
 }  // namespace shaftcull::cli

@@ -22,6 +22,9 @@ class Table {
 /// A count with grouped digits: 5380840 → "5,380,840".
 [[nodiscard]] std::string grouped(unsigned long long count);
 
+/// A cell of a CSV file: in quotes if that is needed.
+[[nodiscard]] std::string csv_cell(const std::string& text);
+
 /// A rate with a unit prefix: 4.21e9 → "4.21 G".
 [[nodiscard]] std::string prefixed(double rate);
 

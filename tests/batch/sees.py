@@ -10,7 +10,7 @@ import subprocess
 from launched import content, kill_one, launch, program, stored_blocks
 
 npz = ["--out", "seen.npz"]
-both = [*npz, "--candidates", "--svg", "seen.svg"]
+both = [*npz, "--candidates", "--svg", "seen.svg", "--ply", "seen.ply"]
 scene = ["--rooms", "5", "--patches", "0.6", "--solid", "wall*", "table*"]  # 10 units of work
 units = 10
 
@@ -43,7 +43,7 @@ def on_ranks():
     for more in ([], ["--rays", 3]):
         report = found_by(0, *both, *more)
         whole = take_files()
-        assert set(whole) == {"seen.npz", "seen.svg"}
+        assert set(whole) == {"seen.npz", "seen.svg", "seen.ply"}
         for ranks in (1, 2, 3, 5):
             done = sees(ranks, *both, *more, "--format", "json")
             assert done.returncode == 0, done
@@ -54,6 +54,7 @@ def on_ranks():
             ends = [line.split()[:5] for line in done.stderr.splitlines() if line.startswith(("compute: ", "write: "))]
             assert [words[0] for words in ends if words[1] == words[3]] == ["compute:", "write:"], done.stderr
     assert found_by(3)["pairs"] == found_by(0)["pairs"]
+    assert found_by(3, "--objects")["object_pairs"] == found_by(0, "--objects")["object_pairs"]
     found_by(2, "--svg", "seen.svg", "--rays", 3)
     assert take_files() == {"seen.svg": whole["seen.svg"]}
 

@@ -255,6 +255,36 @@ TEST_F(CliSeesMesh, NumbersOfJsonAreShort) {
   }
 }
 
+TEST_F(CliSeesMesh, AMeshOfPatchesHasTheirShares) {
+  const std::string ply = folder_.path("seen.ply");
+  static_cast<void>(output_of({"sees", file(""), "--patches", "9", "--ply", ply}));
+  const std::vector<std::string> said = lines(bytes_of_file(ply));
+  EXPECT_EQ(said[0], "ply");
+  EXPECT_THAT(said, testing::IsSupersetOf({"comment object 0 left", "comment object 1 right", "element vertex 12",
+                                           "element face 4", "property float seen", "end_header"}));
+  // Each triangle sees the two of the other square, of three others; the last corner is the first of the file's last
+  // face.
+  EXPECT_EQ(said[said.size() - 5], "10 1 -1 252 255 164");
+  EXPECT_THAT(std::vector<std::string>(said.end() - 4, said.end()),
+              testing::ElementsAre("3 0 1 2 0 0.666667 0", "3 3 4 5 0 0.666667 0", "3 6 7 8 1 0.666667 0",
+                                   "3 9 10 11 1 0.666667 0"));
+  // It is a mesh that the program reads itself: its patches.
+  EXPECT_EQ(nlohmann::json::parse(output_of({"sees", ply, "--patches", "9", "--format", "json"}))["patches"], 4);
+}
+
+TEST_F(CliSeesMesh, CoordinatesCanBeScaled) {
+  const auto report = [&](const std::vector<std::string>& more) {
+    return nlohmann::json::parse(output_of(with({"sees", file(""), "--format", "json"}, more)));
+  };
+  const nlohmann::json metres = report({"--patches", "0.6"});
+  const nlohmann::json kilometres = report({"--patches", "0.0006", "--scale", "0.001"});
+  EXPECT_EQ(kilometres["patches"], metres["patches"]);
+  EXPECT_EQ(kilometres["pairs"], metres["pairs"]);
+  EXPECT_THAT(
+      refusal_of({"sees", folder_.write("large.obj", "v 0 0 0\nv 1e35 0 0\nv 0 1e35 0\nf 1 2 3\n"), "--scale", "1e9"}),
+      HasSubstr("--scale 1000000000: coordinates are too large then for floats"));
+}
+
 TEST_F(CliSeesMesh, ADentIsNotSolid) {
   std::string dented = upright_wall();
   dented.replace(dented.find("v 4 5 5"), 7, "v 5 1 1");

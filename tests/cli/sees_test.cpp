@@ -180,9 +180,38 @@ TEST(CliSees, PictureShowsUndecidedPairsApart) {
     EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
     return outcome.out;
   };
-  EXPECT_THAT(picture({}), AllOf(HasSubstr("% are proven to be seen<"), HasSubstr("% are undecided<")));
+  EXPECT_THAT(picture({}), AllOf(HasSubstr("% proven to be seen<"), HasSubstr("% undecided<")));
   EXPECT_THAT(picture({"--rays", "2"}),
               AllOf(HasSubstr("% of the other patches are seen<"), testing::Not(HasSubstr("undecided"))));
+}
+
+TEST(CliSees, ObjectsAddUpToAllPairs) {
+  const std::vector<std::string> arguments = with(one_room, {"--objects", "--rays", "3"});
+  const Json report = Json::parse(output_of(arguments));
+  const Json& pairs = report["pairs"];
+  std::map<std::string, std::uint64_t> sums;
+  std::set<std::pair<std::string, std::string>> objects;
+  for (const Json& entry : report["object_pairs"]) {
+    objects.insert(std::minmax(entry["a"].get<std::string>(), entry["b"].get<std::string>()));
+    std::uint64_t all = 0;
+    for (const char* kind : {"clear", "occluded", "facing_away", "undecided"}) {
+      sums[kind] += entry[kind].get<std::uint64_t>();
+      all += entry[kind].get<std::uint64_t>();
+    }
+    EXPECT_EQ(entry["pairs"], all);
+    EXPECT_LE(entry["rays_seen"], 1);
+  }
+  for (const auto& [kind, sum] : sums) EXPECT_EQ(pairs[kind], sum) << kind;
+  EXPECT_EQ(objects.size(), 8 * 9 / 2);
+
+  std::vector<std::string> other = arguments;
+  other[9] = "csv";
+  const std::vector<std::string> csv = lines(output_of(other));
+  EXPECT_EQ(csv[0], "a,b,pairs,clear,occluded,facing_away,undecided,rays_seen");
+  EXPECT_EQ(csv.size(), 1 + objects.size());
+  other[9] = "text";
+  EXPECT_THAT(output_of(other), AllOf(HasSubstr("pairs of objects"), HasSubstr("wall 1 - wall 2")));
+  EXPECT_FALSE(Json::parse(output_of(one_room)).contains("object_pairs"));
 }
 
 TEST(CliSees, ThePageHasThePictureThatItsCommandMakes) {
@@ -276,6 +305,8 @@ TEST(CliSees, SolidsAreFoundUnlessTheyAreNotWanted) {
 
 TEST(CliSees, FilesThatCannotBeMadeAreRefused) {
   const ScratchFolder folder;
+  EXPECT_THAT(refusal_of(with(one_room, {"--svg", "a.svg", "--ply", "a.svg"})),
+              HasSubstr("--svg a.svg --ply a.svg: one cannot be both; give two files"));
   for (const std::string& name : {folder.path("none/sights.npz"), folder.path("none/sights.csv")}) {
     EXPECT_THAT(refusal_of(with(one_room, {"--out", name})), HasSubstr(name + ": cannot be written: No such file"));
   }

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+/// The coloured mesh of `shaftcull sees`.
+#include <algorithm>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "printable.hpp"
+#include "sees_run.hpp"
+#include "share_colours.hpp"
+
+namespace shaftcull::cli {
+namespace {
+
+constexpr std::size_t lines_at_once = std::size_t{1} << 20;
+
+/// Lines of a file, many at a time.
+class PlyText {
+ public:
+  explicit PlyText(OutputFile& file) : file_(file) {}
+
+  template <class... Values>
+  void add(fmt::format_string<Values...> format, Values&&... values) {
+    fmt::format_to(std::back_inserter(text_), format, std::forward<Values>(values)...);
+    if (text_.size() >= lines_at_once) write();
+  }
+  void write() {
+    file_.write(text_);
+    text_.clear();
+  }
+
+ private:
+  OutputFile& file_;
+  std::string text_;
+};
+
+}  // namespace
+
+void write_ply(const SeesScene& scene, const SeenShares& shares, OutputFile& file) {
+  const std::span<const double> seen = shares.seen();
+  const double most = *std::max_element(seen.begin(), seen.end());
+  PlyText lines(file);
+  lines.add("ply\nformat ascii 1.0\n");
+  for (std::size_t i = 0; i < scene.mesh.names.size(); ++i) {
+    lines.add("comment object {} {}\n", i, printable(scene.mesh.names[i]));
+  }
+  // Many programs show colours of vertices only.
+  lines.add(
+      "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
+      "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+      "element face {}\nproperty list uchar int vertex_indices\nproperty uint object\nproperty float seen\n"
+      "property float undecided\nend_header\n",
+      3 * scene.patches.size(), scene.patches.size());
+  for (std::size_t i = 0; i < scene.patches.size(); ++i) {
+    const auto [red, green, blue] = colour_at(ramp_of_seen, most > 0 ? seen[i] / most : 0);
+    for (const Point3& corner : scene.patches[i].corner) {
+      lines.add("{} {} {} {} {} {}\n", corner[0], corner[1], corner[2], red, green, blue);
+    }
+  }
+  for (std::size_t i = 0; i < scene.patches.size(); ++i) {
+    lines.add("3 {} {} {} {} {:.6g} {:.6g}\n", 3 * i, 3 * i + 1, 3 * i + 2,
+              scene.mesh.triangles[scene.patches[i].triangle].object, seen[i], shares.undecided()[i]);
+  }
+  lines.write();
+}
+
+}  // namespace shaftcull::cli
