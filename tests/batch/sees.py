@@ -83,7 +83,7 @@ def refused():
     refusals = {
         "--out -: ranks keep what is finished beside a file": ["--out", "-"],
         "seen.txt: what kind of file?": ["--out", "seen.txt"],
-        "a CSV file has no candidates": ["--out", "seen.csv", "--candidates", "--patches", "2"],
+        "a CSV file has no candidates": ["--out", "seen.csv", "--candidates"],
         "none/seen.svg: cannot be written: No such file": ["--out", "seen.npz", "--svg", "none/seen.svg"],
         "--solid none: 5 rooms has no object of that name": ["--solid", "none"],
     }
