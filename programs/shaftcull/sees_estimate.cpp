@@ -21,15 +21,15 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Pairs, or rays, that are answered while one reads that it takes no time.
+/// Runs of fewer pairs and rays are short, and nothing is estimated.
 constexpr std::uint64_t few_pairs = 2'000'000;
-/// Of all patches on each side of the sample, so that it has a fiftieth of the pairs.
+/// Each side of the sample has a tenth of all patches, so that the sample has a fiftieth of all pairs.
 constexpr std::size_t part_of_patches = 10;
 constexpr std::size_t most_sampled = 4096;
-/// Patches of a run lie together, as those that are asked about together do.
+/// Patches of a run lie together, as they do where all pairs are answered.
 constexpr std::size_t runs = 16;
 constexpr std::chrono::milliseconds time_for_rays{200};
-constexpr double a_moment = 10;  // seconds
+constexpr double moment = 10;  // seconds
 constexpr double hour = 3600;
 
 struct SampledPatches {
@@ -201,7 +201,7 @@ std::string estimate(const SeesScene& scene, const SeesBlocks& patches, const Se
   const double pairs = static_cast<double>(patches.pairs());
   const Sample sample = Sampler(scene, patches, work).take(delivers || work.content.rays != 0);
   const double seconds = sample.seconds * pairs / static_cast<double>(sample.pairs) / ranks;
-  if (out.empty() && seconds < a_moment) return {};
+  if (out.empty() && seconds < moment) return {};
   std::string text = fmt::format("This will take about {}", duration(seconds));
   if (!out.empty()) {
     text +=
