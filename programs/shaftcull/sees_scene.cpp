@@ -43,6 +43,19 @@ std::vector<bool> objects_of(const MeshScene& mesh, std::span<const std::string>
   return chosen;
 }
 
+/// The largest extent of a small patch: nine in ten are as large or larger. What is narrower than half of it hides
+/// none of these.
+float small_patch(std::span<const Box> patches) {
+  std::vector<float> extents;
+  extents.reserve(patches.size());
+  for (const Box& box : patches) {
+    extents.push_back(std::max({box.hi[0] - box.lo[0], box.hi[1] - box.lo[1], box.hi[2] - box.lo[2]}));
+  }
+  const auto small = extents.begin() + static_cast<std::ptrdiff_t>(extents.size() / 10);
+  std::nth_element(extents.begin(), small, extents.end());
+  return *small;
+}
+
 class OccluderMaker {
  public:
   explicit OccluderMaker(SeesScene& scene) : scene_(scene) {}
@@ -83,10 +96,9 @@ class OccluderMaker {
     for (const MeshTriangle& triangle : scene_.mesh.triangles) {
       if (!is_solid[triangle.object]) triangles.push_back({triangle.vertex});
     }
-    // What is narrower than half a patch hides no patch. Patches that see on both sides have no inside.
-    const FoundSolids found =
-        find_solids(TriangleStream(triangles).view(),
-                    {.least_width = static_cast<float>(scene_.patch_size / 2), .bodies = !choice.two_sided});
+    // Patches that see on both sides have no inside.
+    const FoundSolids found = find_solids(TriangleStream(triangles).view(),
+                                          {.least_width = small_patch(scene_.boxes) / 2, .bodies = !choice.two_sided});
     scene_.occluders.add_found(found);
     scene_.solids.hulls = found.hulls();
     scene_.solids.polygons = found.polygons();
