@@ -256,7 +256,7 @@ void show_rooms(const DemoOptions& options, const Workers& workers, Console& con
   choice.patch_size = 0.5;
   choice.solid = {"wall*", "cupboard*", "table*"};
   const SeesScene scene = make_sees_scene(make_rooms(rooms, 1), choice, source);
-  const SeesBlocks patches(scene.boxes, scene.planes);
+  const SeesBlocks patches(scene);
   SeesReport report{};
   workers.run([&] { report = run_sees(scene, patches, {}, source, "", {}, console.progress, console.interrupt); });
   fmt::print("\nWhat sees what in {}\n", format_report(report, ReportFormat::text));

@@ -2,6 +2,7 @@
 #include "sees_blocks.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace shaftcull::cli {
 namespace {
@@ -16,20 +17,16 @@ std::size_t block_size(std::size_t patches) {
 
 }  // namespace
 
-SeesBlocks::SeesBlocks(std::span<const Box> boxes, std::span<const Plane> planes) {
-  const PatchSet all(boxes, planes);
+SeesBlocks::SeesBlocks(const SeesScene& scene) {
+  std::vector<std::uint32_t> each(scene.patches.size());
+  std::iota(each.begin(), each.end(), 0U);
+  const PatchSet all = scene.patch_set(each);
   patches_.assign(all.order().begin(), all.order().end());
   order_.reserve(patches_.size());
   const std::size_t size = block_size(patches_.size());
   for (std::size_t first = 0; first < patches_.size(); first += size) {
     const auto members = std::span(patches_).subspan(first, std::min(size, patches_.size() - first));
-    std::vector<Box> some_boxes;
-    std::vector<Plane> some_planes;
-    for (const std::uint32_t patch : members) {
-      some_boxes.push_back(boxes[patch]);
-      if (!planes.empty()) some_planes.push_back(planes[patch]);
-    }
-    PatchSet set{std::span<const Box>(some_boxes), std::span<const Plane>(some_planes)};
+    PatchSet set = scene.patch_set(members);
     for (const std::uint32_t i : set.order()) order_.push_back(members[i]);
     blocks_.push_back({static_cast<std::uint32_t>(first), std::move(set)});
   }

@@ -8,14 +8,14 @@
 #include <utility>
 #include <vector>
 
+#include "sees_scene.hpp"
 #include "shaftcull/visibility.hpp"
 
 namespace shaftcull::cli {
 
 class SeesBlocks {
  public:
-  /// Boxes and planes as PatchSet takes them.
-  SeesBlocks(std::span<const Box> boxes, std::span<const Plane> planes);
+  explicit SeesBlocks(const SeesScene& scene);
 
   [[nodiscard]] std::size_t size() const noexcept { return order_.size(); }
   /// How many pairs of patches there are.

@@ -42,17 +42,13 @@ SampledPatches sampled(const SeesScene& scene, std::span<const std::uint32_t> or
   const std::size_t count = std::clamp<std::size_t>(order.size() / part_of_patches, 1, most_sampled);
   const std::size_t length = (count + runs - 1) / runs;
   std::vector<std::uint32_t> patches;
-  std::vector<Box> boxes;
-  std::vector<Plane> planes;
   for (std::size_t run = 0; run < runs; ++run) {
     const std::size_t first = std::min((2 * run + (second ? 1 : 0)) * order.size() / (2 * runs), order.size() - 1);
-    for (const std::uint32_t patch : order.subspan(first, std::min(length, order.size() - first))) {
-      patches.push_back(patch);
-      boxes.push_back(scene.boxes[patch]);
-      if (!scene.planes.empty()) planes.push_back(scene.planes[patch]);
-    }
+    const auto some = order.subspan(first, std::min(length, order.size() - first));
+    patches.insert(patches.end(), some.begin(), some.end());
   }
-  return {std::move(patches), PatchSet(boxes, planes)};
+  PatchSet set = scene.patch_set(patches);
+  return {std::move(patches), std::move(set)};
 }
 
 double elapsed(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
@@ -74,6 +70,7 @@ class Sampler {
         a_(sampled(scene, patches.order(), false)),
         b_(sampled(scene, patches.order(), true)) {
     options_.memory = work.memory;
+    options_.tolerance = scene.tolerance;
     options_.candidates = work.content.candidates || work.content.rays != 0;
     options_.solids_around_ends = work.content.rays == 0;
   }

@@ -58,7 +58,7 @@ void SeesJob::prepare() {
                                      ? make_rooms(options_.rooms, options_.seed)
                                      : load_mesh_files(options_.paths, {.by_material = options_.by_material}),
                                  options_.choice, source_));
-  patches_.emplace(scene_->boxes, scene_->planes);
+  patches_.emplace(*scene_);
 }
 
 SeesWork SeesJob::work() const { return {options_.content, options_.seed, options_.megabytes << 20, {}, {}}; }
@@ -110,6 +110,7 @@ SeesReport report_of(const SeesScene& scene, const SeesWork& work, const std::st
           scene.mesh.triangles.size(),
           scene.patches.size(),
           scene.patch_size,
+          scene.tolerance,
           scene.occluders.size(),
           scene.solids,
           work.content.rays,

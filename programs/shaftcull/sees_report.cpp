@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 #include <vector>
 
@@ -63,6 +64,9 @@ std::string solids_text(const SeesSolids& solids) {
   return text;
 }
 
+/// A float in the fewest digits that tell it apart, as JSON is to print it.
+double short_number(float x) { return std::strtod(fmt::format("{}", x).c_str(), nullptr); }
+
 constexpr std::array object_sights{Sight::clear, Sight::occluded, Sight::facing_away, Sight::undecided};
 
 std::string table_of_objects(const SeesReport& report) {
@@ -90,7 +94,11 @@ std::string text_of(const SeesReport& report) {
                                  count(report.objects, "object"), count(report.triangles, "triangle"),
                                  grouped(report.patches) + " patches", report.patch_size,
                                  count(report.occluders, "occluder"), grouped(report.solids.named));
-  text += solids_text(report.solids) + "\n";
+  text += solids_text(report.solids);
+  if (report.tolerance > 0) {
+    text += fmt::format("patches that are off a plane by {:.2g} at most lie in it\n", report.tolerance);
+  }
+  text += "\n";
   Table table({"pairs of patches", "number", "share"});
   const auto add = [&](const char* words, std::uint64_t pairs) {
     table.add_row({words, grouped(pairs), fmt::format("{:.3f} %", 100 * share_of(report, pairs))});
@@ -149,6 +157,7 @@ std::string json_of(const SeesReport& report) {
                               {"triangles", report.triangles},
                               {"patches", report.patches},
                               {"patch_size", report.patch_size},
+                              {"tolerance", short_number(report.tolerance)},
                               {"occluders", report.occluders},
                               {"solids", report.solids.named},
                               {"solids_skipped", report.solids.skipped},

@@ -17,6 +17,7 @@ struct SeesReport {
   std::size_t triangles;
   std::size_t patches;
   double patch_size;
+  float tolerance;  ///< 0 if patches are boxes
   std::size_t occluders;
   SeesSolids solids;
   std::uint32_t rays;

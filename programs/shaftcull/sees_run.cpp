@@ -118,6 +118,7 @@ SeesCounts SeesCounts::of(std::span<const std::uint64_t, 7> numbers) noexcept {
 UnitQuestion::UnitQuestion(const SeesScene& scene, const SeesBlocks& patches, const SeesWork& work)
     : scene_(scene), patches_(patches), content_(work.content) {
   options_.memory = work.memory;
+  options_.tolerance = scene.tolerance;
   options_.candidates = content_.candidates || content_.rays != 0;
   // Proofs and rays are of one scene: a ray that starts inside a solid does not meet its front.
   options_.solids_around_ends = content_.rays == 0;

@@ -180,10 +180,61 @@ void scale(MeshScene& mesh, double factor) {
   }
 }
 
+bool is_across_axis(const Plane& plane) noexcept {
+  return std::count(plane.normal.begin(), plane.normal.end(), 0.0F) == 2;
+}
+
+/// Adds the corners of patches, unless all are across an axis. Corners are rounded to floats, so planes of small
+/// patches are a little aslant, and are so over the whole scene.
+void add_corners(SeesScene& scene) {
+  if (std::all_of(scene.planes.begin(), scene.planes.end(), is_across_axis)) return;
+  Box all = scene.boxes.front();
+  for (const MeshPatch& patch : scene.patches) {
+    for (const Point3& corner : patch.corner) {
+      scene.corners.push_back(
+          {static_cast<float>(corner[0]), static_cast<float>(corner[1]), static_cast<float>(corner[2])});
+    }
+  }
+  float largest = 0;
+  float longest = 0;
+  for (const Box& box : scene.boxes) {
+    for (std::size_t k = 0; k != 3; ++k) {
+      all.lo[k] = std::min(all.lo[k], box.lo[k]);
+      all.hi[k] = std::max(all.hi[k], box.hi[k]);
+    }
+  }
+  for (std::size_t k = 0; k != 3; ++k) {
+    largest = std::max({largest, std::fabs(all.lo[k]), std::fabs(all.hi[k])});
+    longest = std::max(longest, all.hi[k] - all.lo[k]);
+  }
+  const double step = double{std::nextafter(largest, std::numeric_limits<float>::infinity())} - largest;
+  scene.tolerance = static_cast<float>(2 * step * std::max(1.0, longest / scene.patch_size));
+}
+
 }  // namespace
 
+PatchSet SeesScene::patch_set(std::span<const std::uint32_t> some) const {
+  if (corners.empty()) {
+    std::vector<Box> some_boxes;
+    std::vector<Plane> some_planes;
+    for (const std::uint32_t patch : some) {
+      some_boxes.push_back(boxes[patch]);
+      if (!planes.empty()) some_planes.push_back(planes[patch]);
+    }
+    return PatchSet{std::span<const Box>(some_boxes), std::span<const Plane>(some_planes)};
+  }
+  std::vector<Vec3> some_corners;
+  std::vector<std::size_t> first{0};
+  for (const std::uint32_t patch : some) {
+    some_corners.insert(some_corners.end(), corners.begin() + 3 * std::ptrdiff_t{patch},
+                        corners.begin() + 3 * std::ptrdiff_t{patch} + 3);
+    first.push_back(some_corners.size());
+  }
+  return PatchSet(some_corners, first);
+}
+
 SeesScene make_sees_scene(MeshScene mesh, const SeesChoice& choice, const std::string& source) {
-  SeesScene scene{std::move(mesh), choice.patch_size, {}, {}, {}, {}, {}, {}};
+  SeesScene scene{std::move(mesh), choice.patch_size, {}, {}, {}, {}, 0, {}, {}, {}};
   if (choice.scale != 1) scale(scene.mesh, choice.scale);
   if (choice.flip) {
     for (MeshTriangle& triangle : scene.mesh.triangles) std::swap(triangle.vertex[1], triangle.vertex[2]);
@@ -198,6 +249,7 @@ SeesScene make_sees_scene(MeshScene mesh, const SeesChoice& choice, const std::s
     scene.boxes.push_back(box_of(patch));
     if (!choice.two_sided) scene.planes.push_back(plane_of(scene.mesh.triangles[patch.triangle]));
   }
+  add_corners(scene);
   OccluderMaker(scene).make(objects_of(scene.mesh, choice.solid, source), choice);
   return scene;
 }

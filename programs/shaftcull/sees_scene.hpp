@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -39,11 +40,17 @@ struct SeesScene {
   std::vector<MeshPatch> patches;
   std::vector<Box> boxes;     ///< one for each patch
   std::vector<Plane> planes;  ///< likewise; empty if patches are two-sided
+  /// Three for each patch. Empty if patches are two-sided, and if all of them are across an axis: then a patch and the
+  /// box around it lie in one plane.
+  std::vector<Vec3> corners;
+  float tolerance;  ///< of corners, as VisibilityOptions has it
   Occluders occluders;
   /// Of each occluder, as positions in mesh.triangles.
   std::vector<std::vector<std::uint32_t>> occluder_triangles;
   SeesSolids solids;
 
+  /// Some of the patches, for the library.
+  [[nodiscard]] PatchSet patch_set(std::span<const std::uint32_t> some) const;
   /// The object that an occluder is, or is part of.
   [[nodiscard]] std::uint32_t object_of_occluder(std::size_t occluder) const {
     return mesh.triangles[occluder_triangles[occluder].front()].object;
