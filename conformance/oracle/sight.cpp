@@ -267,7 +267,8 @@ class Answers final : public SightOracle::Questions {
     truth.is_facing_away = are_behind(a, b.corners) || are_behind(b, a.corners);
     for (std::size_t k = 0; k != solids_.size() && !truth.is_occluded; ++k) truth.is_occluded = blocks(i, j, k);
     for (std::size_t k = 0; k != polygons_.size() && !truth.is_occluded; ++k) {
-      truth.is_occluded = polygon_blocks(a.corners, b.corners, polygons_[k]);
+      const bool may_block = tolerance_ == 0 || !(lie_in(a.corners, polygons_[k]) || lie_in(b.corners, polygons_[k]));
+      truth.is_occluded = may_block && polygon_blocks(a.corners, b.corners, polygons_[k]);
     }
     bool has_tangents = false;
     std::vector<AnyPlane> planes;
@@ -352,6 +353,16 @@ class Answers final : public SightOracle::Questions {
       if (height < lowest) lowest = height;
     }
     return lowest;
+  }
+  /// Whether all points may lie in the plane of one of the triangles of a polygon, within the tolerance.
+  [[nodiscard]] bool lie_in(const std::vector<Point>& points, const std::vector<Point>& polygon) const {
+    const std::vector<AnyPlane> planes = planes_of(polygon);
+    return std::any_of(planes.begin(), planes.end(), [&](const AnyPlane& plane) {
+      const Point& n = plane.normal;
+      const AnyPlane back{{Number(-n[0]), Number(-n[1]), Number(-n[2])}, Number(-plane.offset)};
+      return std::all_of(points.begin(), points.end(),
+                         [&](const Point& p) { return lowest_height(plane, p) <= 0 && lowest_height(back, p) <= 0; });
+    });
   }
   [[nodiscard]] bool are_behind(const Patch& patch, const std::vector<Point>& points) const {
     return !patch.planes.empty() && std::all_of(points.begin(), points.end(), [&](const Point& p) {

@@ -15,7 +15,8 @@
 /// A *solid* is a solid box, or the box that inscribed_box() finds inside a solid hull, or a larger box that several of
 /// these form together, as merged_boxes() finds it (both in solids.hpp). So a hull may hide more than the answers
 /// report. A polygon has no interior: it hides two patches if every segment between their relative interiors passes
-/// from one side of its plane to the other, within its edges.
+/// from one side of its plane to the other, within its edges. It hides no patch that lies in its plane, up to
+/// VisibilityOptions::tolerance: a patch of a turned wall, whose corners are rounded, may lie a little behind the wall.
 ///
 /// Answers are exact for the floats given: these definitions alone determine the undecided pairs and their candidates.
 /// A pair that faces away or is occluded is never reported as `clear`. A pair that both faces away and is occluded gets

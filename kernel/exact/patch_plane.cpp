@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "exact/patch_plane.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "exact/expansion.hpp"
@@ -68,6 +69,39 @@ bool has_area(const Edge3& u, const Edge3& v) noexcept {
 
 int height_sign(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& x, float tolerance) noexcept {
   return side(Edge3(p, q), Edge3(p, r), Edge3(p, x), double{tolerance});
+}
+
+namespace {
+
+/// Whether x lies in the plane of p, q and r, within the tolerance. True for all x if these are in line.
+bool lies_in_plane(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& x, float tolerance) noexcept {
+  return height_sign(p, q, r, x, tolerance) <= 0 && height_sign(p, r, q, x, tolerance) <= 0;
+}
+
+}  // namespace
+
+bool lie_in_plane(std::span<const Vec3> points, std::span<const Vec3> polygon, float tolerance) noexcept {
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    if (!has_area(Edge3(polygon[0], polygon[i - 1]), Edge3(polygon[0], polygon[i]))) continue;
+    if (std::all_of(points.begin(), points.end(), [&](const Vec3& x) {
+          return lies_in_plane(polygon[0], polygon[i - 1], polygon[i], x, tolerance);
+        })) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool keep_off_planes(std::span<const Vec3> points, std::span<const Vec3> polygon, float tolerance) noexcept {
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    if (!has_area(Edge3(polygon[0], polygon[i - 1]), Edge3(polygon[0], polygon[i]))) continue;
+    if (std::any_of(points.begin(), points.end(), [&](const Vec3& x) {
+          return lies_in_plane(polygon[0], polygon[i - 1], polygon[i], x, tolerance);
+        })) {
+      return false;
+    }
+  }
+  return true;
 }
 
 bool is_behind_patch(std::span<const Vec3> corners, float tolerance, const Vec3& point) noexcept {

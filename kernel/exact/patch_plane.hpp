@@ -51,6 +51,12 @@ class PatchNormals {
 /// The sign of n · (x − p) − tolerance (|nx| + |ny| + |nz|), n = (q − p) × (r − p).
 [[nodiscard]] int height_sign(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& x, float tolerance) noexcept;
 
+/// Whether all points lie in the plane of one of a polygon's triangles (p0, pi, pi+1), within the tolerance.
+[[nodiscard]] bool lie_in_plane(std::span<const Vec3> points, std::span<const Vec3> polygon, float tolerance) noexcept;
+/// Whether no point lies in any of these planes, within the tolerance.
+[[nodiscard]] bool keep_off_planes(std::span<const Vec3> points, std::span<const Vec3> polygon,
+                                   float tolerance) noexcept;
+
 /// Whether a point lies on or behind the planes of a patch with corners.
 [[nodiscard]] bool is_behind_patch(std::span<const Vec3> corners, float tolerance, const Vec3& point) noexcept;
 

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "exact/blocking.hpp"
+#include "exact/patch_plane.hpp"
 #include "exact/polygon.hpp"
 #include "visibility/ladder_parts.hpp"
 #include "visibility/lanes.hpp"
@@ -32,7 +33,13 @@ std::uint64_t Ladder::block_corners(const Side& rows, unsigned row, const Side& 
   for (std::size_t i = 0; i != polygons.count; ++i) {
     for_each_lane(polygons.kept[i] & ~occluded, [&](unsigned lane) {
       const std::span<const Vec3> polygon = job_.occluders.polygon(polygons.list[i]);
-      if (polygon_blocks(a.all(), columns.corners(lane).all(), polygon)) occluded |= bit(lane);
+      const PatchCorners b = columns.corners(lane);
+      if (!polygon_blocks(a.all(), b.all(), polygon)) return;
+      const float tolerance = job_.a.tolerance;
+      if (tolerance > 0 && (lie_in_plane(a.all(), polygon, tolerance) || lie_in_plane(b.all(), polygon, tolerance))) {
+        return;
+      }
+      occluded |= bit(lane);
     });
   }
   const std::uint64_t left = asked & ~occluded;

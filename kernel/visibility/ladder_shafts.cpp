@@ -2,6 +2,7 @@
 /// The ladder's shafts, from a group or patch to those of the other side, and which occluders concern them.
 #include <span>
 
+#include "exact/patch_plane.hpp"
 #include "exact/polygon.hpp"
 #include "visibility/ladder_parts.hpp"
 #include "visibility/lanes.hpp"
@@ -59,7 +60,15 @@ std::uint64_t Ladder::occluded_by_polygons(const std::uint32_t* polygons, std::s
       if (PolygonSides::are_on_one_side(of_fixed, sides.of(other))) return;
       // The relative interior of a patch may lie in the surface of its group.
       const auto& blocks = siblings_.are_groups ? polygon_blocks_closed : static_cast<BetweenHulls&>(polygon_blocks);
-      if (blocks(fixed.get(), BoxCorners(other).get(), job_.occluders.polygon(polygons[i]))) occluded |= bit(lane);
+      const std::span<const Vec3> polygon = job_.occluders.polygon(polygons[i]);
+      const BoxCorners of_other(other);
+      if (!blocks(fixed.get(), of_other.get(), polygon)) return;
+      const float tolerance = job_.a.tolerance;
+      if (tolerance > 0 &&
+          !(keep_off_planes(fixed.get(), polygon, tolerance) && keep_off_planes(of_other.get(), polygon, tolerance))) {
+        return;  // a patch of the polygon's own wall may be a little behind it
+      }
+      occluded |= bit(lane);
     });
   }
   return occluded;
