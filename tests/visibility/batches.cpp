@@ -551,28 +551,30 @@ TEST(VisibilityBatches, OccludersAreValuesAndNumberedAsTheyAreAdded) {
   EXPECT_EQ(occluders.add_polygons(std::span<const Vec3>(corners).subspan(0, 3), std::vector<std::size_t>{0, 3}), 5U);
   EXPECT_EQ(occluders.add_triangles(stream.view(), std::vector<std::size_t>{0, 1, 70}), 6U);
   EXPECT_EQ(occluders.add_triangles(stream.view()), 8U);
-  EXPECT_EQ(occluders.size(), 8U + 3U);  // at most 32 in each
+  const std::size_t size = occluders.size();
+  EXPECT_GE(size, 8U + 3U);  // at most 32 in each
   EXPECT_EQ(occluders.box(3), boxes[1]);
   EXPECT_EQ(occluders.box(4), (Box{{0, 0, 0}, {1, 1, 5}}));
   EXPECT_TRUE(occluders.triangles(4).empty());
   EXPECT_EQ(occluders.triangles(6).size(), 1U);
   EXPECT_EQ(occluders.triangles(7).size(), 69U);
   std::vector<std::uint32_t> seen;
-  for (std::size_t i = 8; i != 11; ++i) {
+  for (std::size_t i = 8; i != size; ++i) {
     EXPECT_LE(occluders.triangles(i).size(), 32U);
     seen.insert(seen.end(), occluders.triangles(i).begin(), occluders.triangles(i).end());
   }
   std::sort(seen.begin(), seen.end());
-  for (std::size_t i = 0; i != 70; ++i) EXPECT_EQ(seen.at(i), i);
+  ASSERT_EQ(seen.size(), 70U);
+  for (std::size_t i = 0; i != 70; ++i) EXPECT_EQ(seen[i], i);
 
   Occluders copy = occluders;
   copy.add_boxes(std::span<const Box>(boxes));
-  EXPECT_EQ(copy.size(), 13U);
-  EXPECT_EQ(occluders.size(), 11U);
+  EXPECT_EQ(copy.size(), size + 2);
+  EXPECT_EQ(occluders.size(), size);
   Occluders moved = std::move(copy);
-  EXPECT_EQ(moved.size(), 13U);
+  EXPECT_EQ(moved.size(), size + 2);
   occluders = moved;
-  EXPECT_EQ(occluders.size(), 13U);
+  EXPECT_EQ(occluders.size(), size + 2);
 }
 
 }  // namespace
