@@ -2,6 +2,7 @@
 /// Exact answers for polygons: whether one hides one end of segments from the other.
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "compiled/shaft_data.hpp"
