@@ -255,6 +255,16 @@ class Answers final : public SightOracle::Questions {
     for (const SightOccluder& occluder : question.occluders) {
       occluder_boxes_.push_back({point(occluder.box.lo), point(occluder.box.hi)});
       occluder_corners_.push_back(points(occluder.corners));
+      occluder_triangles_.emplace_back();
+      for (const std::array<Vec3, 3>& triangle : occluder.triangles) {
+        Part part{{}, points({triangle.begin(), triangle.end()})};
+        for (std::size_t k = 0; k != 3; ++k) {
+          const auto [least, largest] = std::minmax({part.corners[0][k], part.corners[1][k], part.corners[2][k]});
+          part.box.lo[k] = least;
+          part.box.hi[k] = largest;
+        }
+        occluder_triangles_.back().push_back(std::move(part));
+      }
       if (!occluder.corners.empty()) continue;
       for (unsigned c = 0; c != 8; ++c) occluder_corners_.back().push_back(occluder_boxes_.back().corner(c));
     }
@@ -270,15 +280,20 @@ class Answers final : public SightOracle::Questions {
       const bool may_block = tolerance_ == 0 || !(lie_in(a.corners, polygons_[k]) || lie_in(b.corners, polygons_[k]));
       truth.is_occluded = may_block && polygon_blocks(a.corners, b.corners, polygons_[k]);
     }
-    bool has_tangents = false;
-    std::vector<AnyPlane> planes;
+    const bool are_boxes = a.is_box && b.is_box;
+    const std::vector<AnyPlane> planes = are_boxes ? std::vector<AnyPlane>() : tangents(a, b);
+    const auto is_left_out = [&](const std::vector<Point>& corners) {
+      return are_behind(a, corners) || are_behind(b, corners) || are_separate(planes, corners);
+    };
     for (std::size_t k = 0; k != occluder_boxes_.size(); ++k) {
       if (!reaches(i, j, k)) continue;
-      if (are_behind(a, occluder_corners_[k]) || are_behind(b, occluder_corners_[k])) continue;
-      if (!(a.is_box && b.is_box)) {
-        if (!has_tangents) planes = tangents(a, b);
-        has_tangents = true;
-        if (are_separate(planes, occluder_corners_[k])) continue;
+      if (is_left_out(occluder_corners_[k])) continue;
+      const std::vector<Part>& parts = occluder_triangles_[k];
+      if (!parts.empty() && std::none_of(parts.begin(), parts.end(), [&](const Part& part) {
+            return box_reaches(a.box, b.box, part.box) && !is_left_out(part.corners) &&
+                   (are_boxes || !are_on_one_side(a.corners, b.corners, part.corners));
+          })) {
+        continue;
       }
       truth.candidates.push_back(static_cast<std::uint32_t>(k));
     }
@@ -288,19 +303,7 @@ class Answers final : public SightOracle::Questions {
   /// Of each t, the relative interiors of the box between both, or they themselves, must meet: so those of the shaft
   /// do. The relative interior of a convex hull is that of combinations with positive weights.
   [[nodiscard]] bool reaches(std::size_t i, std::size_t j, std::size_t which) const override {
-    const AnyBox& a = a_[i].box;
-    const AnyBox& b = b_[j].box;
-    const AnyBox& bound = occluder_boxes_[which];
-    Times<Number> times(contact_ == Contact::open);
-    for (std::size_t k = 0; k != 3; ++k) {
-      if (contact_ == Contact::open && a.is_flat(k) && b.is_flat(k) && bound.is_flat(k)) {
-        times.require_zero(a.lo[k] - bound.lo[k], b.lo[k] - a.lo[k]);
-        continue;
-      }
-      times.require(bound.hi[k] - a.lo[k], a.lo[k] - b.lo[k]);
-      times.require(a.hi[k] - bound.lo[k], b.hi[k] - a.hi[k]);
-    }
-    return times.are_there();
+    return box_reaches(a_[i].box, b_[j].box, occluder_boxes_[which]);
   }
 
   [[nodiscard]] bool blocks(std::size_t i, std::size_t j, std::size_t k) const override {
@@ -328,6 +331,47 @@ class Answers final : public SightOracle::Questions {
     bool has_corners = false;
     bool is_box = false;  ///< whether it is the box around it
   };
+
+  /// A triangle of an occluder.
+  struct Part {
+    AnyBox box;
+    std::vector<Point> corners;
+  };
+
+  /// Whether two ends are on one side of a triangle's plane, but for the tolerance, and not both in it.
+  [[nodiscard]] bool are_on_one_side(const std::vector<Point>& a, const std::vector<Point>& b,
+                                     const std::vector<Point>& triangle) const {
+    for (const AnyPlane& plane : planes_of(triangle)) {
+      const Point& n = plane.normal;
+      const AnyPlane back{{Number(-n[0]), Number(-n[1]), Number(-n[2])}, Number(-plane.offset)};
+      for (const auto& [front, behind] : {std::pair{&plane, &back}, std::pair{&back, &plane}}) {
+        bool is_any_off = false;
+        bool is_any_beyond = false;
+        for (const std::vector<Point>* end : {&a, &b}) {
+          for (const Point& x : *end) {
+            const Number beyond = lowest_height(*behind, x);
+            is_any_beyond = is_any_beyond || (contact_ == Contact::open ? beyond > 0 : beyond >= 0);
+            is_any_off = is_any_off || lowest_height(*front, x) > 0;
+          }
+        }
+        if (is_any_off && !is_any_beyond) return true;
+      }
+    }
+    return false;
+  }
+
+  [[nodiscard]] bool box_reaches(const AnyBox& a, const AnyBox& b, const AnyBox& bound) const {
+    Times<Number> times(contact_ == Contact::open);
+    for (std::size_t k = 0; k != 3; ++k) {
+      if (contact_ == Contact::open && a.is_flat(k) && b.is_flat(k) && bound.is_flat(k)) {
+        times.require_zero(a.lo[k] - bound.lo[k], b.lo[k] - a.lo[k]);
+        continue;
+      }
+      times.require(bound.hi[k] - a.lo[k], a.lo[k] - b.lo[k]);
+      times.require(a.hi[k] - bound.lo[k], b.hi[k] - a.hi[k]);
+    }
+    return times.are_there();
+  }
 
   /// The planes of the triangles that the first corner forms with edges, unless they have no area.
   [[nodiscard]] static std::vector<AnyPlane> planes_of(const std::vector<Point>& corners) {
@@ -539,6 +583,7 @@ class Answers final : public SightOracle::Questions {
   std::vector<std::vector<Point>> polygons_;
   std::vector<AnyBox> occluder_boxes_;
   std::vector<std::vector<Point>> occluder_corners_;
+  std::vector<std::vector<Part>> occluder_triangles_;
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 /// length.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -19,7 +20,8 @@ namespace shaftcull::oracle {
 /// What may stand between: a box, or what has these corners.
 struct SightOccluder {
   Box box;
-  std::vector<Vec3> corners{};  ///< none if it is the box
+  std::vector<Vec3> corners{};                   ///< none if it is the box
+  std::vector<std::array<Vec3, 3>> triangles{};  ///< if not empty, one of these must reach into the shaft, too
 };
 
 /// What is asked about. `a_planes` and `b_planes` are empty or as many as patches. So are `a_corners` and `b_corners`;

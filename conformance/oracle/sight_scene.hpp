@@ -2,6 +2,7 @@
 /// Random patches and what stands between them, the same on every machine for the same seed.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -141,10 +142,12 @@ inline oracle::SightQuestion question_of(const SightScene& scene, const Occluder
   });
   for (std::size_t i = question.occluders.size(); i != occluders.size(); ++i) {
     std::vector<Vec3> vertices;
+    std::vector<std::array<Vec3, 3>> looked_at;
     for (const std::uint32_t triangle : occluders.triangles(i)) {
+      if (occluders.triangles(i).size() <= 64) looked_at.push_back(scene.triangles.at(triangle).vertex);
       for (const Vec3& vertex : scene.triangles.at(triangle).vertex) vertices.push_back(vertex);
     }
-    question.occluders.push_back({around(vertices), vertices});
+    question.occluders.push_back({around(vertices), vertices, looked_at});
   }
   return question;
 }

@@ -34,6 +34,10 @@
 /// (with closed contact: behind it) that goes through an edge of one patch and a corner of the other, and that has no
 /// corner of the two behind it and one in front. A turned wall is told apart from its box in this way.
 ///
+/// A group of at most 64 triangles must reach in by one of them, too: by the box around a triangle, in front of both
+/// planes, and, between patches that are not boxes, on neither side of such a plane alone, nor with both patches on one
+/// side of its own plane. So a closed room that is one object hides nothing inside it.
+///
 /// Patches are stored in a tree, and groups of patches are compared first: an answer for two groups holds for all pairs
 /// in them. So time grows with the number of undecided pairs, and memory stays below a limit for any number of pairs.
 /// Shafts between groups are due to E. Haines and J. Wallace, "Shaft Culling for Efficient Ray-Traced Radiosity", 1991.
@@ -125,7 +129,7 @@ class SHAFTCULL_EXPORT PatchSet {
 /// for a value that is not finite or a box with lo > hi, and InvalidArgument for a broken rule of the member. A call
 /// that throws, std::bad_alloc included, adds nothing. Time and memory are proportional to the addition, amortised:
 /// adding one occluder at a time costs no more. Memory is about 50 bytes per occluder, 24 more per solid, 12 per corner
-/// of a hull, a polygon or a group, and 4 per triangle.
+/// of a hull, a polygon or a group, and 4 per triangle, 72 in groups of at most 64.
 ///
 /// Larger boxes that solids form together are found by the first visibility call after solids were added. That takes
 /// about O(n log n) for all solids, on one thread, and 32 bytes per box found. Later copies share these boxes.

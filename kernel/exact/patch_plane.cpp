@@ -104,6 +104,24 @@ bool keep_off_planes(std::span<const Vec3> points, std::span<const Vec3> polygon
   return true;
 }
 
+bool are_on_one_side(std::span<const Vec3> a, std::span<const Vec3> b, const std::array<Vec3, 3>& triangle,
+                     Contact contact, float tolerance) noexcept {
+  const auto& [p, q, r] = triangle;
+  // In front of the plane of p, q and r, or of p, r and q.
+  const auto are_in_front = [&](const Vec3& second, const Vec3& third) {
+    bool is_any_off = false;
+    for (const std::span<const Vec3> end : {a, b}) {
+      for (const Vec3& x : end) {
+        const int beyond = height_sign(p, third, second, x, tolerance);
+        if (contact == Contact::open ? beyond > 0 : beyond >= 0) return false;
+        is_any_off = is_any_off || height_sign(p, second, third, x, tolerance) > 0;
+      }
+    }
+    return is_any_off;
+  };
+  return are_in_front(q, r) || are_in_front(r, q);
+}
+
 bool is_behind_patch(std::span<const Vec3> corners, float tolerance, const Vec3& point) noexcept {
   bool has_plane = false;
   const Edge3 to_point(corners[0], point);

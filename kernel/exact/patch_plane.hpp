@@ -15,6 +15,7 @@
 #include <span>
 
 #include "shaftcull/bounds.hpp"
+#include "shaftcull/compiled.hpp"
 
 namespace shaftcull::kernel {
 
@@ -56,6 +57,11 @@ class PatchNormals {
 /// Whether no point lies in any of these planes, within the tolerance.
 [[nodiscard]] bool keep_off_planes(std::span<const Vec3> points, std::span<const Vec3> polygon,
                                    float tolerance) noexcept;
+
+/// Whether two ends lie on one side of a triangle's plane, or reach beyond it by no more than the tolerance; with open
+/// contact they may touch it, but not lie in it. Then the triangle does not reach between them.
+[[nodiscard]] bool are_on_one_side(std::span<const Vec3> a, std::span<const Vec3> b,
+                                   const std::array<Vec3, 3>& triangle, Contact contact, float tolerance) noexcept;
 
 /// Whether a point lies on or behind the planes of a patch with corners.
 [[nodiscard]] bool is_behind_patch(std::span<const Vec3> corners, float tolerance, const Vec3& point) noexcept;

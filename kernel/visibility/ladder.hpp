@@ -80,8 +80,12 @@ class Ladder {
               Selection& selection) const;
   [[nodiscard]] std::uint64_t block_corners(const Side& rows, unsigned row, const Side& columns, Selection& solids,
                                             Selection& polygons, std::uint64_t asked);
+  [[nodiscard]] std::uint64_t look_at_triangles(const Side& rows, unsigned row, const Side& columns,
+                                                std::uint64_t lanes, Selection& candidates);
   [[nodiscard]] std::uint64_t drop_separate(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes,
                                             Selection& candidates);
+  [[nodiscard]] bool any_part_reaches(unsigned lane, std::uint32_t occluder, std::size_t first, const PatchCorners& a,
+                                      const PatchCorners& b) const;
   void write_undecided(const Level& here, const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes);
   void form(const Side& fixed, unsigned lane, const Side& lanes, std::uint64_t asked);
   void form(const Side& fixed, unsigned lane, const float* const* boxes, const float* const* inward, unsigned count,
@@ -107,6 +111,8 @@ class Ladder {
   float fixed_inward_[6] = {};  // which of its faces are left out
   float exchanged_[6] = {};     // likewise of form_exchanged()
   TangentPlanes tangents_;
+  /// Of the parts of candidates at hand, one after the other: lanes that a part reaches into.
+  std::vector<std::uint64_t> part_lanes_;
   std::vector<PointsBehind> points_behind_;
   std::vector<std::uint64_t> clump_lanes_;  // of each clump, the lanes that come near it
   std::vector<std::uint64_t> near_;         // a bit an occluder, or a solid: whether one comes near its clump

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Pairs of patches with corners: the shaft between two polygons is narrower than the one between the boxes around
 /// them.
+#include <array>
 #include <span>
 
 #include "exact/blocking.hpp"
@@ -60,6 +61,22 @@ std::uint64_t Ladder::block_corners(const Side& rows, unsigned row, const Side& 
   return occluded;
 }
 
+/// Whether an occluder without parts is asked about, or a triangle of it reaches into the shaft between two patches
+/// whose planes are at hand. `first` is where the lanes of its parts begin.
+bool Ladder::any_part_reaches(unsigned lane, std::uint32_t occluder, std::size_t first, const PatchCorners& a,
+                              const PatchCorners& b) const {
+  const std::size_t parts = job_.occluders.parts_of(occluder);
+  for (std::size_t part = 0; part != parts; ++part) {
+    if ((part_lanes_[first + part] & bit(lane)) == 0) continue;
+    const std::array<Vec3, 3>& vertices = job_.occluders.part_vertices[job_.occluders.first_part[occluder] + part];
+    if (!tangents_.separate({vertices, nullptr}, job_.contact, job_.a.tolerance) &&
+        !are_on_one_side(a.all(), b.all(), vertices, job_.contact, job_.a.tolerance)) {
+      return true;
+    }
+  }
+  return parts == 0;
+}
+
 /// Of a row of pairs, in which the boxes around patches keep candidates: drops those that lie behind a plane that
 /// touches both patches. Returns the lanes in which some are left. If nobody wants candidates, one of them is enough.
 std::uint64_t Ladder::drop_separate(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes,
@@ -73,7 +90,8 @@ std::uint64_t Ladder::drop_separate(const Side& rows, unsigned row, const Side& 
     }
     const PatchCorners b = columns.corners(lane);
     tangents_.find({a.all(), !rows.has_corners()}, {b.all(), !columns.has_corners()});
-    for (std::size_t i = 0; i != candidates.count; ++i) {
+    std::size_t part = 0;
+    for (std::size_t i = 0; i != candidates.count; part += job_.occluders.parts_of(candidates.list[i]), ++i) {
       if ((candidates.kept[i] & bit(lane)) == 0) continue;
       const std::uint32_t occluder = candidates.list[i];
       std::span<const Vec3> points = job_.occluders.points_of(occluder);
@@ -84,7 +102,8 @@ std::uint64_t Ladder::drop_separate(const Side& rows, unsigned row, const Side& 
         of_box = corners_of_box({{box[0], box[1], box[2]}, {box[3], box[4], box[5]}});
         points = of_box.all();
       }
-      if (tangents_.separate({points, around}, job_.contact, job_.a.tolerance)) {
+      if (tangents_.separate({points, around}, job_.contact, job_.a.tolerance) ||
+          !any_part_reaches(lane, candidates.list[i], part, a, b)) {
         candidates.kept[i] &= ~bit(lane);
         continue;
       }

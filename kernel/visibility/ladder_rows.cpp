@@ -126,7 +126,9 @@ void Ladder::answer_patches(Level& here, const Side& rows, unsigned row, const S
   // Side by side, fewer vectors hold those that are left.
   const auto count = static_cast<unsigned>(std::popcount(lanes));
   const bool have_corners = rows.has_corners() || columns.has_corners();
-  const bool packs = !have_corners && kernels.pack != nullptr && count + most_siblings / 4 <= columns.count;
+  const bool have_parts = !occluders.parts.empty();
+  const bool packs =
+      !have_corners && !have_parts && kernels.pack != nullptr && count + most_siblings / 4 <= columns.count;
   const auto spread = [&](std::uint64_t bits) { return packs ? kernels.spread(bits, lanes) : bits; };
   std::uint64_t left = packs ? first_lanes(count) : lanes;
   if (packs) {
@@ -148,7 +150,7 @@ void Ladder::answer_patches(Level& here, const Side& rows, unsigned row, const S
   Selection& candidates = here.candidates_of_row;
   select(here.lists.candidates, here.row_candidates, here.column_candidates, row, lanes, packs, candidates);
   std::uint64_t undecided = 0;
-  if (job_.wants_candidates || have_corners) {
+  if (job_.wants_candidates || have_corners || have_parts) {
     undecided = kernels.keep(siblings_, occluders.boxes.data(), candidates.list.data(), candidates.count,
                              candidates.may.data(), left, candidates.kept.data());
     for (std::size_t i = 0; packs && i != candidates.count; ++i) {
@@ -158,6 +160,7 @@ void Ladder::answer_patches(Level& here, const Side& rows, unsigned row, const S
     undecided = kernels.keep_any(siblings_, occluders.boxes.data(), candidates.list.data(), candidates.count,
                                  candidates.may.data(), left);
   }
+  if (have_parts) undecided = look_at_triangles(rows, row, columns, undecided, candidates);
   if (have_corners) undecided = drop_separate(rows, row, columns, undecided, candidates);
   decide(rows, row, columns, spread(left & ~undecided), Sight::clear);
   if (undecided != 0) write_undecided(here, rows, row, columns, spread(undecided));

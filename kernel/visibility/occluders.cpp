@@ -43,6 +43,7 @@ class Addition {
         size_(data.size()),
         points_(data.points.size()),
         triangles_(data.triangles.size()),
+        parts_(data.parts.size()),
         solids_(data.solids.size()),
         polygons_(data.polygons.size()),
         polygon_corners_(data.polygon_corners.size()),
@@ -56,6 +57,9 @@ class Addition {
     shorten(data_.first_triangle, size_ + 1);
     shorten(data_.points, points_);
     shorten(data_.triangles, triangles_);
+    shorten(data_.first_part, size_ + 1);
+    shorten(data_.parts, parts_);
+    shorten(data_.part_vertices, parts_);
     shorten(data_.solids, solids_);
     shorten(data_.polygons, polygons_);
     shorten(data_.polygon_sides, polygons_);
@@ -72,12 +76,20 @@ class Addition {
     data_.boxes.push_back(row_of(box));
     data_.first_point.push_back(data_.points.size());
     data_.first_triangle.push_back(data_.triangles.size());
+    data_.first_part.push_back(data_.parts.size());
   }
   void add_point(const Vec3& point) { data_.points.push_back(point); }
   void add_points(std::span<const Vec3> points) {
     data_.points.insert(data_.points.end(), points.begin(), points.end());
   }
   void add_triangle(std::uint32_t triangle) { data_.triangles.push_back(triangle); }
+  /// A triangle of a group that is looked at by its triangles.
+  void add_part(const Triangle& triangle) {
+    PointBox around;
+    for (const Vec3& vertex : triangle.vertex) around.add(vertex);
+    data_.parts.push_back(row_of(around.box));
+    data_.part_vertices.push_back(triangle.vertex);
+  }
   /// A polygon that makes pairs occluded; it may be an occluder or not.
   void add_polygon(const Box& box, std::span<const Vec3> corners) {
     if (data_.polygons.size() == std::numeric_limits<std::uint32_t>::max()) {
@@ -122,6 +134,7 @@ class Addition {
   std::size_t size_;
   std::size_t points_;
   std::size_t triangles_;
+  std::size_t parts_;
   std::size_t solids_;
   std::size_t polygons_;
   std::size_t polygon_corners_;
@@ -360,6 +373,9 @@ std::size_t Occluders::add_triangles(const TriangleView& triangles, std::span<co
       for (std::size_t i = first_triangle[g]; i != first_triangle[g + 1]; ++i) {
         const std::size_t triangle = found.order.empty() ? i : found.order[i];
         addition.add_triangle(static_cast<std::uint32_t>(triangle));
+        if (first_triangle[g + 1] - first_triangle[g] <= kernel::OccluderData::most_parts) {
+          addition.add_part(triangles[triangle]);
+        }
         for (const Vec3& vertex : triangles[triangle].vertex) {
           around.add(vertex);
           vertices.push_back(vertex);

@@ -70,6 +70,13 @@ struct OccluderData {
   std::vector<std::uint32_t> triangles;
   std::vector<std::size_t> first_triangle{0};
 
+  /// The triangles of groups of at most `most_parts`: such a group reaches into a shaft only where one of them does.
+  /// Those of occluder i from first_part[i] on, each with the box around it.
+  std::vector<BoxRow> parts;
+  std::vector<std::array<Vec3, 3>> part_vertices;
+  std::vector<std::size_t> first_part{0};
+  static constexpr std::size_t most_parts = 64;
+
   // Blockers, numbered apart: what was found in triangles is no occluder itself.
 
   /// Boxes that are solid, as they were given or found in hulls.
@@ -90,6 +97,7 @@ struct OccluderData {
   [[nodiscard]] std::span<const Vec3> points_of(std::size_t i) const noexcept {
     return {points.data() + first_point[i], first_point[i + 1] - first_point[i]};
   }
+  [[nodiscard]] std::size_t parts_of(std::size_t i) const noexcept { return first_part[i + 1] - first_part[i]; }
   [[nodiscard]] std::span<const Vec3> polygon(std::size_t i) const noexcept {
     return {polygon_corners.data() + first_polygon_corner[i], first_polygon_corner[i + 1] - first_polygon_corner[i]};
   }
