@@ -426,12 +426,18 @@ export interface BoxTree extends BoxBounds, MovingTree {}
  */
 export interface VisibilityScene {
   /** Boxes around patches. */
-  patches: Floats;
+  patches?: Floats;
   /** A plane for each of them: patches see what is outside of it, x nx + y ny + z nz > offset. */
   planes?: Floats;
+  /**
+   * Patches that are convex polygons, in the place of `patches` and `planes`: for each an array of its corners, 3 to 8 of
+   * 3 floats. A patch faces the side from which its corners run counter-clockwise.
+   */
+  corners?: readonly Floats[];
   /** The other set; without it, each two patches of one set are a pair, once. */
   patchesB?: Floats;
   planesB?: Floats;
+  cornersB?: readonly Floats[];
   /** Boxes around things that may hide something: occluders 0 to n − 1. Those that follow here are numbered on. */
   boxes?: Floats;
   /** Boxes that are solid. */
@@ -444,6 +450,10 @@ export interface VisibilityScene {
   triangles?: Floats;
   /** Whether occluders that only touch a shaft stand between: 'open', they do not, by default. */
   contact?: Contact;
+  /** How far in front of a plane a point may be and still count as behind it; 0 by default. */
+  tolerance?: number;
+  /** Whether solids are looked for in the triangles: bodies, and flat polygons. They are no occluders. */
+  findSolids?: boolean;
   /** Whether a solid that an end reaches into makes a pair occluded; true by default. */
   solidsAroundEnds?: boolean;
   /** Whether undecided pairs come with candidates; true by default. */

@@ -6,11 +6,18 @@ import {contacts} from './shafts.js';
 import {sourceOf} from './sources.js';
 
 const sightNames = ['undecided', 'clear', 'occluded', 'facing_away'];
-const parts = ['patches', 'planes', 'patchesB', 'planesB', 'boxes', 'solids', 'hulls', 'polygons', 'triangles'];
-const countOptions = ['contact', 'solidsAroundEnds', 'memory'];
+const parts = [
+  'patches', 'planes', 'corners', 'patchesB', 'planesB', 'cornersB', 'boxes', 'solids', 'hulls', 'polygons', 'triangles',
+];
+const countOptions = ['contact', 'tolerance', 'solidsAroundEnds', 'findSolids', 'memory'];
 const productWords = 5;  // of shaftcull_pair_block
 
-function patchesOf(scratch, make, boxes, planes, name) {
+/** Patches by their boxes, named `name`, or by their corners. */
+function patchesOf(scratch, make, boxes, planes, corners, name, cornersName) {
+  if (corners) {
+    if (boxes || planes) throw new TypeError(`${cornersName} are patches: there are no other patches, and no planes`);
+    return make('shaftcull_patches_free', 'shaftcull_patches_create_polygons', ...cornersOf(scratch, corners, cornersName));
+  }
   const source = sourceOf(scratch, 'boxes', boxes, name);
   const floats = asFloats(planes ?? [], 4, 'planes');
   if (planes && floats.length !== 4 * source.count) {
@@ -43,6 +50,10 @@ function occludersOf(module, scratch, make, scene) {
   if (scene.polygons) add('shaftcull_occluders_add_polygons', ...cornersOf(scratch, scene.polygons, 'polygons'));
   const firstGroup = occludersCount(module, occluders);
   if (scene.triangles) add('shaftcull_occluders_add_triangles', source('triangles', 'triangles'), 0, 0n);
+  if (scene.findSolids) {
+    if (!scene.triangles) throw new TypeError('findSolids looks for solids in triangles, and there are none');
+    module.call('shaftcull_occluders_find_solids', occluders, source('triangles', 'triangles'), 0, 1, 0);
+  }
   return {occluders, firstGroup};
 }
 
@@ -66,16 +77,18 @@ function orderOf(module, scratch, patches) {
 /** The result of use(a, b, occluders, options, make, scratch): handles, and the options in memory; b may be 0. */
 function prepared(module, scene, names, use) {
   checkOptions(scene, [...parts, ...names]);
-  if (scene.planesB && !scene.patchesB) throw new TypeError('there are planesB, but no patchesB');
+  if (scene.planesB && !scene.patchesB && !scene.cornersB) throw new TypeError('there are planesB, but no patchesB');
   const given = {
     contact: asEnumerator(scene.contact ?? 'open', contacts, 'contact'),
     solids_around_ends: scene.solidsAroundEnds === false ? 0 : 1,
     candidates: scene.candidates === false ? 0 : 1,
   };
+  if (scene.tolerance !== undefined) [given.tolerance] = asFloats([scene.tolerance], 1, 'tolerance');
   if (scene.memory !== undefined) given.memory = asInteger(scene.memory, 0, 'memory');
   return withHandles(module, (make) => module.scratch((scratch) => {
-    const a = patchesOf(scratch, make, scene.patches, scene.planes, 'patches');
-    const b = scene.patchesB ? patchesOf(scratch, make, scene.patchesB, scene.planesB, 'patchesB') : 0;
+    const a = patchesOf(scratch, make, scene.patches, scene.planes, scene.corners, 'patches', 'corners');
+    const b = scene.patchesB || scene.cornersB ?
+        patchesOf(scratch, make, scene.patchesB, scene.planesB, scene.cornersB, 'patchesB', 'cornersB') : 0;
     const occluders = occludersOf(module, scratch, make, scene);
     const defaults = scratch.described('visibility_options', 'shaftcull_default_visibility_options');
     return use(a, b, occluders, scratch.struct('visibility_options', {...defaults, ...given}), make, scratch);

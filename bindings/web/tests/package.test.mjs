@@ -962,6 +962,29 @@ describe('visibility', () => {
     assert.throws(() => shaftcull.countVisibility({...scene, memory: 9}), ShaftcullError);
   });
 
+  test('takes patches by their corners, within a tolerance', () => {
+    const leaning = [[0, 0, 0, 1, 0, 1, 1, 1, 1], [0, 0, 0, 1, 1, 1, 0, 1, 0]];  // one square
+    assert.equal(shaftcull.countVisibility({corners: leaning}).facing_away, 1);
+    const lifted = [leaning[0], [0, 0, 0.125, 1, 1, 1.125, 0, 1, 0.125]];
+    assert.equal(shaftcull.countVisibility({corners: lifted}).facing_away, 1);
+    const above = [[0, 0, 9, 0, 1, 9, 1, 0, 9]];
+    assert.equal(shaftcull.countVisibility({corners: [[0, 0, 0, 1, 0, 0, 0, 1, 0]], cornersB: above}).clear, 1);
+    const low = [[0, 0, 0.125, 0, 1, 0.125, 1, 0, 0.125]];
+    const near = {corners: [[0, 0, 0, 1, 0, 0, 0, 1, 0]], cornersB: low};
+    assert.equal(shaftcull.countVisibility({...near, tolerance: 0.125}).facing_away, 1);
+    assert.equal(shaftcull.countVisibility(near).clear, 1);
+    assert.throws(() => shaftcull.countVisibility({corners: leaning, planes: [0, 0, 1, 0]}), /corners are patches/);
+    assert.throws(() => shaftcull.countVisibility({corners: [[0, 0, 0, 1, 0, 0]]}), ShaftcullError);
+  });
+
+  test('finds solids in triangles', () => {
+    const baffle = [-9, -9, 5, 9, -9, 5, 9, 9, 5, -9, -9, 5, 9, 9, 5, -9, 9, 5];
+    const scene = {corners: [[0, 0, 0, 1, 0, 0, 0, 1, 0]], cornersB: [[0, 0, 9, 0, 1, 9, 1, 0, 9]], triangles: baffle};
+    assert.equal(shaftcull.countVisibility(scene).undecided, 1);
+    assert.equal(shaftcull.countVisibility({...scene, findSolids: true}).occluded, 1);
+    assert.throws(() => shaftcull.countVisibility({patches: row(0, 2), findSolids: true}), /there are none/);
+  });
+
   test('has a bit per pair', () => {
     const [two, one] = [{patches: row(0, 40), patchesB: row(10, 3)}, {patches: row(0, 40)}];
     for (const scene of [two, one]) {
