@@ -827,7 +827,9 @@ class TriangleTree(Triangles):
 class Patches:
     """Patches for several calls of visibility(), in a tree. They never change. len() is their number.
 
-    boxes: float32 (n, 6), or as those of BoxStream: around facets, points, or cells of a volume.
+    boxes: float32 (n, 6), or as those of BoxStream: around facets, points, or cells of a volume. Or corners of
+        convex polygons, float32 (n, k, 3) or a list of arrays (k, 3), 3 to 8 of them: a polygon faces the side
+        from which its corners run counter-clockwise, and has no plane of `planes`.
     planes: float32 (n, 4), or (4,) for all: normal and offset. A patch faces where its normal points. Planes
         are never rounded outwards: round those of float64 by astype(numpy.float32).
     rounding: 'outwards' takes boxes of float64, too, and contains them: pairs that are clear or occluded are so
@@ -837,7 +839,7 @@ class Patches:
     TypeError or ValueError for other arrays.
     """
     def __init__(
-        self, boxes: _Floats, planes: _Floats | None = None, *, rounding: _Rounding | None = None
+        self, boxes: _Floats | Sequence[_Floats], planes: _Floats | None = None, *, rounding: _Rounding | None = None
     ) -> None: ...
     def __len__(self) -> int: ...
     @property
@@ -942,8 +944,8 @@ class Visibility:
         """
 
 def visibility(
-    patches: _Floats | Patches,
-    patches_b: _Floats | Patches | None = None,
+    patches: _Floats | Sequence[_Floats] | Patches,
+    patches_b: _Floats | Sequence[_Floats] | Patches | None = None,
     *,
     planes: _Floats | None = None,
     planes_b: _Floats | None = None,
@@ -956,6 +958,7 @@ def visibility(
     groups: _Integers | None = None,
     rounding: _Rounding | None = None,
     contact: _Contact = "open",
+    tolerance: float = 0.0,
     solids_around_ends: bool = True,
     memory: int = 268435456,
     progress: Callable[[int, int], object] | None = None,
@@ -966,12 +969,14 @@ def visibility(
     are exact for the float32 given. Returns a Visibility, which takes 20 bytes for each product, 16 for each
     undecided pair, and 4 for each candidate.
 
-    patches, patches_b: boxes, float32 (n, 6), or Patches. Without patches_b, each two patches are one pair.
+    patches, patches_b: boxes, float32 (n, 6), corners, float32 (n, k, 3), or Patches. Without patches_b, each two
+        patches are one pair.
     planes, planes_b: for patches that have a side: float32 (n, 4), or (4,) for all; normal and offset.
     occluders: boxes around things that may hide something; or Occluders, and then none of the five that follow.
     solids, hulls, polygons, triangles with faces, groups: what else stands between, as Occluders say.
     rounding: 'outwards' takes boxes of float64, too, of patches and `occluders`, as Patches and Occluders say.
     contact: 'open' leaves out what only touches a shaft, so a patch may lie on an occluder; 'closed' does not.
+    tolerance: how far in front of a plane a point may be and still count as behind it, for rounded corners.
     solids_around_ends: whether a solid that reaches around a patch makes its pairs 'occluded'.
     memory: bytes that answers under way may take, 1 MB or more.
     progress: called as progress(done, total) some times a second, on this thread; if it raises, the call ends.
@@ -982,8 +987,8 @@ def visibility(
     parent has used all processors.
     """
 def count_visibility(
-    patches: _Floats | Patches,
-    patches_b: _Floats | Patches | None = None,
+    patches: _Floats | Sequence[_Floats] | Patches,
+    patches_b: _Floats | Sequence[_Floats] | Patches | None = None,
     *,
     planes: _Floats | None = None,
     planes_b: _Floats | None = None,
@@ -996,6 +1001,7 @@ def count_visibility(
     groups: _Integers | None = None,
     rounding: _Rounding | None = None,
     contact: _Contact = "open",
+    tolerance: float = 0.0,
     solids_around_ends: bool = True,
     memory: int = 268435456,
     progress: Callable[[int, int], object] | None = None,
@@ -1003,12 +1009,14 @@ def count_visibility(
     """How many pairs are 'undecided', 'clear', 'occluded' and 'facing_away': a dict of int, as the counts of
     visibility(). It keeps nothing of any pair.
 
-    patches, patches_b: boxes, float32 (n, 6), or Patches. Without patches_b, each two patches are one pair.
+    patches, patches_b: boxes, float32 (n, 6), corners, float32 (n, k, 3), or Patches. Without patches_b, each two
+        patches are one pair.
     planes, planes_b: for patches that have a side: float32 (n, 4), or (4,) for all; normal and offset.
     occluders: boxes around things that may hide something; or Occluders, and then none of the five that follow.
     solids, hulls, polygons, triangles with faces, groups: what else stands between, as Occluders say.
     rounding: 'outwards' takes boxes of float64, too, of patches and `occluders`, as Patches and Occluders say.
     contact: 'open' leaves out what only touches a shaft, so a patch may lie on an occluder; 'closed' does not.
+    tolerance: how far in front of a plane a point may be and still count as behind it, for rounded corners.
     solids_around_ends: whether a solid that reaches around a patch makes its pairs 'occluded'.
     memory: bytes that answers under way may take, 1 MB or more.
     progress: called as progress(done, total) some times a second, on this thread; if it raises, the call ends.

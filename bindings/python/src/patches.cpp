@@ -31,6 +31,18 @@ struct CornersIn {
   }
 };
 
+/// Whether an argument is corners: an array (n, k, 3), where (n, 2, 3) are boxes, or a list of arrays (k, 3).
+bool are_corners(const py::object& given) {
+  if (py::isinstance<py::array>(given)) {
+    const auto array = py::reinterpret_borrow<py::array>(given);
+    return array.ndim() == 3 && array.shape(1) > 2;
+  }
+  if (!py::isinstance<py::list>(given) && !py::isinstance<py::tuple>(given)) return false;
+  if (py::len(given) == 0) return false;
+  const py::object first = given[py::int_(0)];
+  return py::isinstance<py::array>(first) && py::reinterpret_borrow<py::array>(first).ndim() == 2;
+}
+
 /// Adds triangles, in the groups that are given, and solids that are found in them if they are wanted.
 std::size_t add_triangles(Occluders& to, const py::object& given, const OccluderArguments& more,
                           OccludersHolder& holder) {
@@ -81,6 +93,17 @@ PatchSet patches_in(const py::object& boxes, const py::object& planes, const Rou
   if (py::isinstance<PatchSet>(boxes)) {
     if (!planes.is_none()) throw py::value_error(planes_name + " are given, but " + name + " are Patches already");
     return boxes.cast<PatchSet>();
+  }
+  if (are_corners(boxes)) {
+    if (!planes.is_none())
+      throw py::value_error(planes_name + " are given, but " + name + " are corners, which have some");
+    const CornersIn in(boxes, name);
+    const py::gil_scoped_release release;
+    try {
+      return PatchSet(in.corners, in.first);
+    } catch (const BadBound& bad) {
+      throw BadBound(bad.index(), name + ": " + bad.what());
+    }
   }
   const BoxesInStreams in(boxes, name, rounding);
   const std::vector<Plane> facing = planes_in(planes, planes_name, in.count(), 2);
@@ -143,7 +166,9 @@ void add_patches(py::module_& module) {
   py::class_<PatchSet>(module, "Patches", R"(
 Patches for several calls of visibility(), in a tree. They never change. len() is their number.
 
-boxes: float32 (n, 6), or as those of BoxStream: around facets, points, or cells of a volume.
+boxes: float32 (n, 6), or as those of BoxStream: around facets, points, or cells of a volume. Or corners of
+    convex polygons, float32 (n, k, 3) or a list of arrays (k, 3), 3 to 8 of them: a polygon faces the side
+    from which its corners run counter-clockwise, and has no plane of `planes`.
 planes: float32 (n, 4), or (4,) for all: normal and offset. A patch faces where its normal points. Planes
     are never rounded outwards: round those of float64 by astype(numpy.float32).
 rounding: 'outwards' takes boxes of float64, too, and contains them: pairs that are clear or occluded are so

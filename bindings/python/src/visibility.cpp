@@ -233,8 +233,8 @@ void add_call(py::module_& module, const char* name, Run run, const std::string&
       [run](const py::object& patches, const py::object& patches_b, const py::object& planes,
             const py::object& planes_b, const py::object& occluders, const py::object& solids, const py::object& hulls,
             const py::object& polygons, const py::object& triangles, const py::object& faces, const py::object& groups,
-            const py::object& rounding, const std::string& contact, bool solids_around_ends, std::size_t memory,
-            const py::object& progress, Extra... extra) {
+            const py::object& rounding, const std::string& contact, float tolerance, bool solids_around_ends,
+            std::size_t memory, const py::object& progress, Extra... extra) {
         const bool of_one_set = patches_b.is_none();
         if (of_one_set && !planes_b.is_none()) throw py::value_error("planes_b are given, but no patches_b");
         const Rounding rounded = rounding_in(rounding);
@@ -245,6 +245,7 @@ void add_call(py::module_& module, const char* name, Run run, const std::string&
                     occluders_in(occluders, {solids, hulls, polygons, triangles, faces, groups}, rounded),
                     {}};
         asked.options.contact = contact_in(contact);
+        asked.options.tolerance = tolerance;
         asked.options.solids_around_ends = solids_around_ends;
         asked.options.memory = memory;
         return run(asked, progress, extra...);
@@ -252,16 +253,18 @@ void add_call(py::module_& module, const char* name, Run run, const std::string&
       arg("patches"), arg("patches_b") = none, py::kw_only(), arg("planes") = none, arg("planes_b") = none,
       arg("occluders") = none, arg("solids") = none, arg("hulls") = none, arg("polygons") = none,
       arg("triangles") = none, arg("faces") = none, arg("groups") = none, arg("rounding") = none,
-      arg("contact") = "open", arg("solids_around_ends") = true, arg("memory") = VisibilityOptions().memory,
-      arg("progress") = none, args...,
+      arg("contact") = "open", arg("tolerance") = 0.0F, arg("solids_around_ends") = true,
+      arg("memory") = VisibilityOptions().memory, arg("progress") = none, args...,
       (text + R"(
 
-patches, patches_b: boxes, float32 (n, 6), or Patches. Without patches_b, each two patches are one pair.
+patches, patches_b: boxes, float32 (n, 6), corners, float32 (n, k, 3), or Patches. Without patches_b, each two
+    patches are one pair.
 planes, planes_b: for patches that have a side: float32 (n, 4), or (4,) for all; normal and offset.
 occluders: boxes around things that may hide something; or Occluders, and then none of the five that follow.
 solids, hulls, polygons, triangles with faces, groups: what else stands between, as Occluders say.
 rounding: 'outwards' takes boxes of float64, too, of patches and `occluders`, as Patches and Occluders say.
 contact: 'open' leaves out what only touches a shaft, so a patch may lie on an occluder; 'closed' does not.
+tolerance: how far in front of a plane a point may be and still count as behind it, for rounded corners.
 solids_around_ends: whether a solid that reaches around a patch makes its pairs 'occluded'.
 memory: bytes that answers under way may take, 1 MB or more.
 progress: called as progress(done, total) some times a second, on this thread; if it raises, the call ends.)" +

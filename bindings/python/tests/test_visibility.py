@@ -21,6 +21,20 @@ KINDS = ("undecided", "clear", "occluded", "facing_away")
 EXAMPLES = pathlib.Path(__file__).parents[1] / "examples"
 
 
+def test_corners_make_patches():
+    leaning = np.array([[[0, 0, 0], [1, 0, 1], [1, 1, 1]], [[0, 0, 0], [1, 1, 1], [0, 1, 0]]], np.float32)  # one square
+    assert sc.count_visibility(leaning)["facing_away"] == 1
+    assert sc.count_visibility(sc.Patches(leaning))["facing_away"] == 1
+    low = np.array([[[0, 0, 0], [1, 0, 0], [0, 1, 0]]], np.float32)
+    above = [np.array([[0, 0, 0.125], [0, 1, 0.125], [1, 1, 0.125], [1, 0, 0.125]], np.float32)]
+    assert sc.count_visibility(low, above)["clear"] == 1
+    assert sc.count_visibility(low, above, tolerance=0.125)["facing_away"] == 1
+    with pytest.raises(ValueError, match="planes are given, but patches are corners"):
+        sc.count_visibility(low, planes=[0, 0, 1, 0])
+    with pytest.raises(ValueError, match="3 to 8"):
+        sc.Patches([np.zeros((2, 3), np.float32)])
+
+
 def corners(box):
     return [[F(float(box[i + 3 * (c >> i & 1)])) for i in range(3)] for c in range(8)]
 
