@@ -83,6 +83,7 @@ bool keeps_corners(const ShaftData& shaft, const float* const* stream) noexcept 
   for (unsigned k = 0; k != 3; ++k) {
     const float lo = *stream[k];
     const float hi = *stream[k + 3];
+    if (!(lo <= hi)) return false;  // NaN: not inside
     for (unsigned corner = 0; corner != 8; ++corner) coordinate[k][corner] = (corner >> k & 1U) != 0 ? hi : lo;
   }
   const float* const corners[6] = {coordinate[0], coordinate[1], coordinate[2],
