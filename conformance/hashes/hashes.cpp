@@ -34,7 +34,7 @@ constexpr Family all[] = {
     {"trees of triangles", "tree order, and lists of triangles", one_or_many, triangle_trees, 2, 21,
      0x41f602232f89e84bU, 0xea386fa648ca31efU},
     {"sights", "what sees what: every answer, and candidates of undecided pairs", one_way, sights, 10, 421,
-     0x63f82ef2a7991e39U, 0x73567394115114abU},
+     0xf34eaa6533b56507U, 0x638d59d1196b39b9U},
     {"solids", "boxes that are joined, and boxes inside hulls", one_way, solids, 100, 24391, 0xb60212bc1b5d9965U,
      0x8d8d9514e575687dU},
     {"found solids", "what is found in triangles: bodies, polygons and boxes inside bodies", one_way, found_solids, 200,

@@ -44,6 +44,8 @@ void ask_of_all_pairs() {
   const PatchSet patches(boxes);
   Occluders occluders;
   occluders.add_solids(std::vector<Box>{{{2, -1, -1}, {3, 2, 2}}});
+  const MeshView triangles = mesh_view(vertices, indices);
+  occluders.add_found(find_solids(triangles));
   std::size_t batches = 0;
   const auto deliver = [&](const SightBatch&) { ++batches; };
   const SightCounts counts = visibility(patches, occluders, deliver);
@@ -65,6 +67,8 @@ void make_volumes() {
   expect(keeps(compile(a, b), boxes[1]), "between");
   expect(!keeps(compile(a, b, planes), boxes[1]), "cut by a plane");
   expect(compile(a, b, Contact::open).contact() == Contact::open, "open contact");
+  expect(compile(a, b, planes, Contact::open).contact() == Contact::open,
+         "planes and open contact");
   expect(keeps(swept(body, travel), boxes[1]), "swept");
   expect(keeps(swept_infinite(body, direction), boxes[1]), "swept without end");
   expect(!keeps(shadow(light, occluder), light), "shadow");

@@ -105,11 +105,11 @@ void make_scene(Random& random, Scene& scene) {
   EXPECT_EQ(first, cpp.add_triangles(stream.view()));
   shaftcull_found_solids found;
   ok(shaftcull_occluders_find_solids(c, &triangle_source, 0.25F, 1, &found));
-  const FoundSolids solids = find_solids(stream.view(), {.least_width = 0.25F});
-  cpp.add_found(solids);
-  EXPECT_EQ(found.hulls, solids.hulls());
-  EXPECT_EQ(found.polygons, solids.polygons());
-  EXPECT_EQ(found.inner_boxes, solids.inner_boxes.size());
+  const FoundSolids of_mesh = find_solids(stream.view(), {.least_width = 0.25F});
+  cpp.add_found(of_mesh);
+  EXPECT_EQ(found.hulls, of_mesh.hulls());
+  EXPECT_EQ(found.polygons, of_mesh.polygons());
+  EXPECT_EQ(found.inner_boxes, of_mesh.inner_boxes.size());
   EXPECT_EQ(shaftcull_occluders_count(c), cpp.size());
   for (std::size_t i = 0; i != cpp.size(); ++i) {
     shaftcull_occluder_info info;
