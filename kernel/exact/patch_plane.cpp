@@ -106,7 +106,7 @@ bool keep_off_planes(std::span<const Vec3> points, std::span<const Vec3> polygon
 
 bool are_on_one_side(std::span<const Vec3> a, std::span<const Vec3> b, const std::array<Vec3, 3>& triangle,
                      Contact contact, float tolerance) noexcept {
-  const auto& [p, q, r] = triangle;
+  const Vec3& p = triangle[0];
   // In front of the plane of p, q and r, or of p, r and q.
   const auto are_in_front = [&](const Vec3& second, const Vec3& third) {
     bool is_any_off = false;
@@ -119,7 +119,7 @@ bool are_on_one_side(std::span<const Vec3> a, std::span<const Vec3> b, const std
     }
     return is_any_off;
   };
-  return are_in_front(q, r) || are_in_front(r, q);
+  return are_in_front(triangle[1], triangle[2]) || are_in_front(triangle[2], triangle[1]);
 }
 
 bool is_behind_patch(std::span<const Vec3> corners, float tolerance, const Vec3& point) noexcept {
