@@ -2,6 +2,7 @@
 #include "exact/pair.hpp"
 
 #include "exact/predicates.hpp"
+#include "support/exact_floats.hpp"
 
 namespace shaftcull::kernel {
 namespace {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "exact/patch_plane.hpp"
+#include "support/exact_floats.hpp"
 
 namespace shaftcull::kernel {
 TangentPlanes::Tangent::Tangent(const Vec3& p, const Vec3& q, const Vec3& r) noexcept : p_(p), q_(q), r_(r) {

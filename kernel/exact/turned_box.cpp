@@ -6,10 +6,12 @@
 #include <cstddef>
 #include <limits>
 
+#include "support/exact_floats.hpp"
+
 namespace shaftcull::kernel {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double no_bound = std::numeric_limits<double>::infinity();
 
 double dot_product(const Direction& a, const Direction& b) noexcept { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
@@ -30,7 +32,7 @@ Direction across(const Direction& normal, const Direction& direction) noexcept {
 }
 
 TurnedBox box_along(const std::array<Direction, 3>& axis, std::span<const Vec3> points, std::size_t step) noexcept {
-  TurnedBox box{axis, {infinity, infinity, infinity}, {-infinity, -infinity, -infinity}, 0};
+  TurnedBox box{axis, {no_bound, no_bound, no_bound}, {-no_bound, -no_bound, -no_bound}, 0};
   for (std::size_t i = 0; i < points.size(); i += step) {
     for (std::size_t k = 0; k != 3; ++k) {
       const double at = component(axis[k], points[i]);
@@ -73,7 +75,7 @@ TurnedBox turned_box(std::span<const Vec3> points, const Direction& normal, std:
   constexpr std::size_t few = 128;  // points show which edge is best
   const std::size_t step = points.size() / few + 1;
   std::array<Direction, 3> best{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  double smallest = infinity;
+  double smallest = no_bound;
   const auto try_edge = [&](const Direction& edge) {
     const Direction one = across(normal, edge);
     if (dot_product(one, one) == 0) return;
@@ -86,7 +88,7 @@ TurnedBox turned_box(std::span<const Vec3> points, const Direction& normal, std:
   };
   if (dot_product(normal, normal) != 0) {
     for (const Direction& edge : edges) try_edge(edge);
-    for (std::size_t k = 0; k != 3 && smallest == infinity; ++k) {
+    for (std::size_t k = 0; k != 3 && smallest == no_bound; ++k) {
       Direction edge{};
       edge[k] = 1;
       try_edge(edge);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "support/arguments.hpp"
+#include "support/exact_floats.hpp"
 #include "support/fail.hpp"
 #include "support/text.hpp"
 
