@@ -40,8 +40,8 @@ struct SeesScene {
   std::vector<MeshPatch> patches;
   std::vector<Box> boxes;     ///< one for each patch
   std::vector<Plane> planes;  ///< likewise; empty if patches are two-sided
-  /// Three for each patch. Empty if patches are two-sided, and if all of them are across an axis: then a patch and the
-  /// box around it lie in one plane.
+  /// Three for each patch. Empty if patches are two-sided, and if three in four of them or more are across an axis:
+  /// such a patch and the box around it lie in one plane.
   std::vector<Vec3> corners;
   float tolerance;  ///< of corners, as VisibilityOptions has it
   Occluders occluders;
