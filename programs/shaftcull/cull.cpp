@@ -273,7 +273,8 @@ void add_cull(CLI::App& program) {
   CLI::App& cull = *program.add_subcommand(
       "cull", "List what of a mesh file may lie between two objects, in the way of one, or in a shadow");
   CLI::Option* scene =
-      cull.add_option("scene,--scene", options->path, "Mesh file, in any format that assimp reads")->type_name("FILE");
+      cull.add_option("scene,--scene", options->path, "Mesh file, in any format that assimp reads; - is standard input")
+          ->type_name("FILE");
   CLI::Option* bounds =
       cull.add_option("--bounds", options->bounds,
                       "What gets a bound: object, part or triangle (default: object, or part if the ends are parts)")

@@ -4,21 +4,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <set>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include <assimp/material.h>
-#include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
-#include <assimp/Importer.hpp>
 
+#include "mesh_import.hpp"
 #include "mesh_parts.hpp"
 #include "shaftcull/error.hpp"
 
@@ -35,20 +31,6 @@ void grow(Box& box, const Box& other) {
   }
 }
 
-void require_readable(const std::string& path) {
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) {
-    throw InvalidArgument(fmt::format("{}: there is no such file; give a mesh file (OBJ, PLY, glTF, …)", path));
-  }
-  if (std::filesystem::is_directory(status)) {
-    throw InvalidArgument(fmt::format("{}: is a directory; give a mesh file (OBJ, PLY, glTF, …)", path));
-  }
-  if (std::filesystem::is_regular_file(status) && std::filesystem::file_size(path, error) == 0 && !error) {
-    throw InvalidArgument(fmt::format("{}: the file is empty; give a mesh file (OBJ, PLY, glTF, …)", path));
-  }
-}
-
 /// Walks a file's nodes and collects what has faces.
 class Collector {
  public:
@@ -57,7 +39,7 @@ class Collector {
 
   MeshScene collect() {
     split_meshes_ = count_nodes_with_meshes(*file_.mRootNode) == 1;
-    visit(*file_.mRootNode, aiMatrix4x4{});
+    visit(*file_.mRootNode, aiMatrix4x4{}, {});
     for (const Object& object : objects_) add_object(object);
     if (triangles_.empty())
       throw InvalidArgument(fmt::format("{}: the file has no faces, so there is nothing to ask about", path_));
@@ -82,18 +64,21 @@ class Collector {
     return count;
   }
 
-  void visit(const aiNode& node, const aiMatrix4x4& parent_to_world) {
+  /// `family` is the name of the nearest node above that has one, but for the root, which is called after the file.
+  void visit(const aiNode& node, const aiMatrix4x4& parent_to_world, const std::string& family) {
     const aiMatrix4x4 to_world = parent_to_world * node.mTransformation;
+    const std::string own = given_name(node.mName);
     for (unsigned i = 0; i < node.mNumMeshes; ++i) {
       const aiMesh& mesh = *file_.mMeshes[node.mMeshes[i]];
       if (reading_.by_material) {
         object_of_material(mesh.mMaterialIndex).meshes.push_back({&mesh, to_world});
         continue;
       }
-      if (i == 0 || split_meshes_) objects_.push_back({name_of(node, mesh), {}});
+      if (i == 0 || split_meshes_) objects_.push_back({name_of(node, mesh, family), {}});
       objects_.back().meshes.push_back({&mesh, to_world});
     }
-    for (unsigned i = 0; i < node.mNumChildren; ++i) visit(*node.mChildren[i], to_world);
+    const std::string& below = &node == file_.mRootNode ? family : own.empty() ? family : own;
+    for (unsigned i = 0; i < node.mNumChildren; ++i) visit(*node.mChildren[i], to_world, below);
   }
 
   /// Materials are objects in the order in which they are used.
@@ -108,19 +93,20 @@ class Collector {
   }
 
   /// The name of a node's object that begins with this mesh, which may be empty.
-  [[nodiscard]] std::string name_of(const aiNode& node, const aiMesh& mesh) const {
+  [[nodiscard]] std::string name_of(const aiNode& node, const aiMesh& mesh, const std::string& family) const {
     const std::string of_node = given_name(node.mName);
     std::string of_mesh = given_name(mesh.mName);
     if (split_meshes_ && node.mNumMeshes > 1) return of_mesh.empty() ? of_node : of_mesh;
     // The reader of glTF numbers meshes that it made of one: "lamp-0".
     if (node.mNumMeshes > 1 && of_mesh.ends_with("-0")) of_mesh.resize(of_mesh.size() - 2);
-    return of_node.empty() ? of_mesh : of_node;
+    return !of_node.empty() ? of_node : !of_mesh.empty() ? of_mesh : family;
   }
 
-  /// Empty for names that the reader of glTF makes up: "nodes[0]", "meshes[1]-0".
+  /// Empty for names that readers make up: "nodes[0]" and "meshes[1]-0" of glTF, "$RelAggregates" of IFC.
   static std::string given_name(const aiString& name) {
     const std::string_view text = name.C_Str();
-    return text.starts_with("nodes[") || text.starts_with("meshes[") ? std::string() : std::string(text);
+    const bool is_made_up = text.starts_with("nodes[") || text.starts_with("meshes[") || text.starts_with('$');
+    return is_made_up ? std::string() : std::string(text);
   }
 
   void add_object(const Object& object_in_file) {
@@ -190,45 +176,11 @@ class Collector {
   MeshScene scene_;
 };
 
-/// assimp's PLY reader looks for this line for ever.
-void require_complete_ply_header(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string line;
-  std::getline(file, line);
-  if (line != "ply" && line != "ply\r") return;
-  while (std::getline(file, line)) {
-    if (line.starts_with("end_header")) return;
-  }
-  throw InvalidArgument(fmt::format("{}: the file is broken: its PLY header has no end_header line", path));
-}
-
-/// Why assimp reads no scene from the file. It takes files of unknown formats for such as it knows.
-std::string refusal_of(const std::string& path, const Assimp::Importer& importer) {
-  const std::string extension = std::filesystem::path(path).extension().string();
-  if (extension.empty() || importer.IsExtensionSupported(extension.c_str())) {
-    return fmt::format("{}: the file is broken, or not what its name says; assimp says: {}", path,
-                       importer.GetErrorString());
-  }
-  aiString known;
-  importer.GetExtensionList(known);  // "*.3d;*.3ds"
-  std::string formats = known.C_Str();
-  std::erase(formats, '*');
-  std::replace(formats.begin(), formats.end(), ';', ' ');
-  return fmt::format("{}: files of this kind cannot be read; convert it to one of {}", path, formats);
-}
-
 }  // namespace
 
 MeshScene load_mesh(const std::string& path, const MeshReading& reading) {
-  require_readable(path);
-  require_complete_ply_header(path);
-  Assimp::Importer importer;
-  const aiScene* file = importer.ReadFile(path, aiProcess_Triangulate);
-  if (file == nullptr) {
-    throw InvalidArgument(refusal_of(path, importer));
-  }
-  if (file->mRootNode == nullptr) throw InvalidArgument(fmt::format("{}: the file has no scene in it", path));
-  return Collector(path, *file, reading).collect();
+  const MeshImport import(path);
+  return Collector(import.name(), import.scene(), reading).collect();
 }
 
 }  // namespace shaftcull::cli

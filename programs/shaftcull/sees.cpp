@@ -87,9 +87,9 @@ void add_sees(CLI::App& program) {
   const auto options = std::make_shared<SeesOptions>();
   CLI::App& sees = *program.add_subcommand(
       "sees", "Tell of all pairs of patches of a mesh file which see each other for certain, and which cannot");
-  CLI::Option* scene =
-      sees.add_option("scene,--scene", options->paths, "Mesh files of one scene, in any format that assimp reads")
-          ->type_name("FILE");
+  CLI::Option* scene = sees.add_option("scene,--scene", options->paths,
+                                       "Mesh files of one scene, in any format that assimp reads; - is standard input")
+                           ->type_name("FILE");
   CLI::Option* rooms = add_number(sees, "--rooms", options->rooms, 1, most_rooms,
                                   "Instead of a file: so many rooms with doors and furniture, made from --seed")
                            ->type_name("N");

@@ -21,7 +21,9 @@ bool is_output(const std::string& path) { return !path.empty() && is_standard_ou
 std::string source_of(const SeesOptions& options) {
   if (options.rooms != 0) return fmt::format("{} room{}", options.rooms, options.rooms == 1 ? "" : "s");
   const std::size_t more = options.paths.size() - 1;
-  return options.paths.front() + (more == 0 ? "" : fmt::format(" and {} more file{}", more, more == 1 ? "" : "s"));
+  const std::string& first = options.paths.front();
+  return (first == "-" ? "standard input" : first) +
+         (more == 0 ? "" : fmt::format(" and {} more file{}", more, more == 1 ? "" : "s"));
 }
 
 /// A line about normals that seem to point the wrong way; empty if they do not.

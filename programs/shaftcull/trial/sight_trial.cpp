@@ -7,7 +7,7 @@ namespace shaftcull::cli {
 namespace {
 
 /// Most patches of a scene: two groups and more at times, and quick in exact arithmetic.
-constexpr unsigned most_patches = 80;
+constexpr unsigned most_sight_patches = 80;
 
 SightScenery scenery_of(std::uint64_t number) { return static_cast<SightScenery>(number % sight_sceneries); }
 
@@ -20,8 +20,8 @@ std::uint64_t scene_seed(std::uint64_t seed, std::uint64_t number) {
 
 SightTrial::SightTrial(std::uint64_t seed, std::uint64_t number)
     : what_(fmt::format("random_sight_scene({}, {}, {})", name(scenery_of(number)), scene_seed(seed, number),
-                        most_patches)),
-      case_(random_sight_scene(scenery_of(number), scene_seed(seed, number), most_patches)),
+                        most_sight_patches)),
+      case_(random_sight_scene(scenery_of(number), scene_seed(seed, number), most_sight_patches)),
       truths_(case_) {}
 
 void SightTrial::ask() {

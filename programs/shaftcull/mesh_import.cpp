@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "mesh_import.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include <assimp/commonMetaData.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <fmt/format.h>
+#include <assimp/Importer.hpp>
+
+#include "shaftcull/error.hpp"
+
+namespace shaftcull::cli {
+namespace {
+
+constexpr unsigned steps = aiProcess_Triangulate;
+
+void require_readable(const std::string& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) {
+    throw InvalidArgument(fmt::format("{}: there is no such file; give a mesh file (OBJ, PLY, glTF, …)", path));
+  }
+  if (std::filesystem::is_directory(status)) {
+    throw InvalidArgument(fmt::format("{}: is a directory; give a mesh file (OBJ, PLY, glTF, …)", path));
+  }
+  if (std::filesystem::is_regular_file(status) && std::filesystem::file_size(path, error) == 0 && !error) {
+    throw InvalidArgument(fmt::format("{}: the file is empty; give a mesh file (OBJ, PLY, glTF, …)", path));
+  }
+}
+
+/// Whether bytes can be read only once, and no name says what they are.
+bool is_stream(const std::string& path) {
+  std::error_code error;
+  return path == "/dev/stdin" || !std::filesystem::is_regular_file(path, error);
+}
+
+std::string bytes_of(const std::string& path, const std::string& name) {
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (bytes.empty()) throw InvalidArgument(fmt::format("{}: is empty; give a mesh (OBJ, PLY, glTF, …)", name));
+  return bytes;
+}
+
+/// The first word of a line.
+std::string_view word_of(std::string_view line) {
+  line.remove_prefix(std::min(line.find_first_not_of(" \t\r"), line.size()));
+  return line.substr(0, line.find_first_of(" \t\r"));
+}
+
+/// Whether the first line that is neither empty nor a comment is one of an OBJ file.
+bool is_obj(std::string_view bytes) {
+  constexpr std::array<std::string_view, 10> words{"v", "vn", "vt", "o", "g", "mtllib", "usemtl", "s", "f", "vp"};
+  while (!bytes.empty()) {
+    const std::size_t end = std::min(bytes.find('\n'), bytes.size());
+    const std::string_view word = word_of(bytes.substr(0, end));
+    if (!word.empty() && word.front() != '#') return std::find(words.begin(), words.end(), word) != words.end();
+    bytes.remove_prefix(std::min(end + 1, bytes.size()));
+  }
+  return false;
+}
+
+/// A header of 80 bytes, the number of triangles, and 50 bytes for each.
+bool is_binary_stl(std::string_view bytes) {
+  std::uint32_t triangles = 0;
+  if (bytes.size() < 84) return false;
+  std::memcpy(&triangles, bytes.data() + 80, sizeof triangles);
+  return bytes.size() == 84 + std::size_t{50} * triangles;
+}
+
+/// The usual ending of names of files that begin so; empty if unknown.
+std::string ending_of(std::string_view bytes) {
+  constexpr std::array<std::pair<std::string_view, const char*>, 8> beginnings{{{"glTF", "glb"},
+                                                                                {"ply", "ply"},
+                                                                                {"solid", "stl"},
+                                                                                {"OFF", "off"},
+                                                                                {"ISO-10303-21", "ifc"},
+                                                                                {"Kaydara FBX", "fbx"},
+                                                                                {"; FBX", "fbx"},
+                                                                                {"{", "gltf"}}};
+  if (is_binary_stl(bytes)) return "stl";
+  const std::string_view text = bytes.substr(std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size()));
+  for (const auto& [beginning, ending] : beginnings) {
+    if (text.starts_with(beginning)) return ending;
+  }
+  if (text.starts_with('<') && text.substr(0, 4096).find("<COLLADA") != std::string_view::npos) return "dae";
+  return is_obj(bytes) ? "obj" : "";
+}
+
+[[noreturn]] void refuse_endless_header(const std::string& name) {
+  throw InvalidArgument(fmt::format("{}: the file is broken: its PLY header has no end_header line", name));
+}
+
+/// assimp's PLY reader looks for this line for ever.
+void require_complete_ply_header(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string line;
+  std::getline(file, line);
+  if (line != "ply" && line != "ply\r") return;
+  while (std::getline(file, line)) {
+    if (line.starts_with("end_header")) return;
+  }
+  refuse_endless_header(path);
+}
+
+/// Why assimp reads no scene from the file. It takes files of unknown formats for such as it knows.
+std::string refusal_of(const std::string& path, const Assimp::Importer& importer) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  if (extension.empty() || importer.IsExtensionSupported(extension.c_str())) {
+    return fmt::format("{}: the file is broken, or not what its name says; assimp says: {}", path,
+                       importer.GetErrorString());
+  }
+  aiString known;
+  importer.GetExtensionList(known);  // "*.3d;*.3ds"
+  std::string formats = known.C_Str();
+  std::erase(formats, '*');
+  std::replace(formats.begin(), formats.end(), ';', ' ');
+  return fmt::format("{}: files of this kind cannot be read; convert it to one of {}", path, formats);
+}
+
+void read_file(Assimp::Importer& importer, const std::string& path) {
+  require_complete_ply_header(path);
+  if (importer.ReadFile(path, steps) == nullptr) throw InvalidArgument(refusal_of(path, importer));
+}
+
+void read_stream(Assimp::Importer& importer, const std::string& path, const std::string& name) {
+  const std::string bytes = bytes_of(path, name);
+  const std::string ending = ending_of(bytes);
+  if (ending.empty()) {
+    throw InvalidArgument(
+        fmt::format("{}: does not begin as OBJ, PLY, STL, OFF, glTF, FBX, COLLADA or IFC; write it to a file whose "
+                    "name ends as its format wants, and give that",
+                    name));
+  }
+  if (ending == "ply" && bytes.find("end_header") == std::string::npos) refuse_endless_header(name);
+  if (importer.ReadFileFromMemory(bytes.data(), bytes.size(), steps, ending.c_str()) == nullptr) {
+    throw InvalidArgument(fmt::format("{}: begins as a file of format {}, and is broken; assimp says: {}", name, ending,
+                                      importer.GetErrorString()));
+  }
+}
+
+/// In IFC files z points up. assimp's reader turns it to y by a matrix of rounded numbers, which tilts all walls by
+/// 4·10⁻⁸. The opposite turn comes back to axes exactly.
+void keep_axes_of_ifc(const aiScene& scene) {
+  aiString format;
+  if (scene.mMetaData == nullptr || !scene.mMetaData->Get(AI_METADATA_SOURCE_FORMAT, format)) return;
+  if (std::string_view(format.C_Str()).find("IFC") == std::string_view::npos) return;
+  aiMatrix4x4 back;
+  aiMatrix4x4::RotationX(-AI_MATH_HALF_PI_F, back);
+  back.Transpose();
+  scene.mRootNode->mTransformation = back * scene.mRootNode->mTransformation;
+}
+
+}  // namespace
+
+MeshImport::MeshImport(const std::string& path)
+    : name_(path == "-" ? "standard input" : path), importer_(std::make_unique<Assimp::Importer>()) {
+  const std::string from = path == "-" ? "/dev/stdin" : path;
+  require_readable(from);
+  if (is_stream(from)) {
+    read_stream(*importer_, from, name_);
+  } else {
+    read_file(*importer_, from);
+  }
+  scene_ = importer_->GetScene();
+  if (scene_->mRootNode == nullptr) throw InvalidArgument(fmt::format("{}: the file has no scene in it", name_));
+  keep_axes_of_ifc(*scene_);
+}
+MeshImport::~MeshImport() = default;
+
+}  // namespace shaftcull::cli

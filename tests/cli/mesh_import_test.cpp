@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+/// Meshes that arrive on standard input, and what formats do with axes and names.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/program.hpp"
+
+namespace shaftcull::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+class CliMeshImport : public testing::Test {
+ protected:
+  /// What `sees -` does with these bytes on standard input.
+  [[nodiscard]] Outcome sees_input(const std::string& bytes, const std::vector<std::string>& more = {}) const {
+    return run_program(with({"sees", "-", "--patches", "9", "--format", "json"}, more), "",
+                       "<'" + folder_.write("input", bytes) + "'");
+  }
+  [[nodiscard]] std::string refused_input(const std::string& bytes) const {
+    const Outcome outcome = sees_input(bytes);
+    expect_refusal(outcome);
+    return outcome.error;
+  }
+
+  ScratchFolder folder_;
+};
+
+constexpr const char* obj = "# two facets\no a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no b\nv 0 0 2\nf 4 2 3\n";
+constexpr const char* ply =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+    "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+constexpr const char* stl =
+    "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
+    "endsolid a\n";
+constexpr const char* off = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+constexpr const char* gltf = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
+"nodes":[{"name":"shelf","children":[1]},{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],
+"bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,)"
+                             "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA\"}]}";
+
+/// A wall 4 m long, 0.2 m thick and 3 m high, in millimetres, from (1, 0.5, 0) on.
+constexpr const char* ifc = R"(ISO-10303-21;
+HEADER;
+FILE_DESCRIPTION(('ViewDefinition [CoordinationView]'),'2;1');
+FILE_NAME('wall.ifc','2020-01-01T00:00:00',(''),(''),'','','');
+FILE_SCHEMA(('IFC2X3'));
+ENDSEC;
+DATA;
+#5=IFCOWNERHISTORY($,$,$,.ADDED.,$,$,$,0);
+#6=IFCSIUNIT(*,.LENGTHUNIT.,.MILLI.,.METRE.);
+#8=IFCUNITASSIGNMENT((#6));
+#9=IFCCARTESIANPOINT((0.,0.,0.));
+#10=IFCAXIS2PLACEMENT3D(#9,$,$);
+#11=IFCGEOMETRICREPRESENTATIONCONTEXT($,'Model',3,1.E-5,#10,$);
+#12=IFCPROJECT('p',#5,'project',$,$,$,$,(#11),#8);
+#13=IFCLOCALPLACEMENT($,#10);
+#14=IFCSITE('s',#5,'site',$,$,#13,$,$,.ELEMENT.,$,$,$,$,$);
+#17=IFCRELAGGREGATES('r',#5,$,$,#12,(#14));
+#20=IFCCARTESIANPOINT((2000.,100.));
+#21=IFCDIRECTION((1.,0.));
+#22=IFCAXIS2PLACEMENT2D(#20,#21);
+#23=IFCRECTANGLEPROFILEDEF(.AREA.,$,#22,4000.,200.);
+#24=IFCDIRECTION((0.,0.,1.));
+#25=IFCEXTRUDEDAREASOLID(#23,#10,#24,3000.);
+#26=IFCSHAPEREPRESENTATION(#11,'Body','SweptSolid',(#25));
+#27=IFCPRODUCTDEFINITIONSHAPE($,$,(#26));
+#28=IFCCARTESIANPOINT((1000.,500.,0.));
+#29=IFCAXIS2PLACEMENT3D(#28,$,$);
+#30=IFCLOCALPLACEMENT(#13,#29);
+#31=IFCWALL('w',#5,'north',$,$,#30,#27,$);
+#32=IFCRELCONTAINEDINSPATIALSTRUCTURE('c',#5,$,$,(#31),#14);
+ENDSEC;
+END-ISO-10303-21;
+)";
+
+TEST_F(CliMeshImport, StandardInputHasTheFormatThatItsFirstBytesShow) {
+  const std::vector<std::pair<const char*, const char*>> meshes{{obj, "x.obj"}, {ply, "x.ply"},   {stl, "x.stl"},
+                                                                {off, "x.off"}, {gltf, "x.gltf"}, {ifc, "x.ifc"}};
+  for (const auto& [bytes, name] : meshes) {
+    const Outcome streamed = sees_input(bytes);
+    ASSERT_EQ(streamed.exit_code, 0) << name << ": " << streamed.error;
+    const auto of_stream = nlohmann::json::parse(streamed.out);
+    const std::string file = folder_.write(name, bytes);
+    const auto of_file = nlohmann::json::parse(output_of({"sees", file, "--patches", "9", "--format", "json"}));
+    EXPECT_EQ(of_stream["scene"], "standard input") << name;
+    EXPECT_EQ(of_stream["triangles"], of_file["triangles"]) << name;
+    EXPECT_EQ(of_stream["pairs"], of_file["pairs"]) << name;
+  }
+}
+
+TEST_F(CliMeshImport, ABinaryStlIsToldByItsLength) {
+  std::string binary(80, 's');
+  binary += std::string("\1\0\0\0", 4) + std::string(50, '\0');
+  EXPECT_EQ(nlohmann::json::parse(sees_input(binary).out)["triangles"], 1);
+  EXPECT_THAT(refused_input(binary + "?"), HasSubstr("does not begin as"));
+}
+
+TEST_F(CliMeshImport, InputOfNoKnownFormatIsRefused) {
+  EXPECT_THAT(refused_input("hello\n"), HasSubstr("standard input: does not begin as OBJ, PLY, STL"));
+  EXPECT_THAT(refused_input(""), HasSubstr("standard input: "));
+  EXPECT_THAT(refused_input("ply\nformat ascii 1.0\n"),
+              HasSubstr("standard input: the file is broken: its PLY header"));
+  EXPECT_THAT(refused_input("{\"asset\": "), AllOf(HasSubstr("begins as a file of format gltf"), HasSubstr("assimp")));
+}
+
+TEST_F(CliMeshImport, ANodeWithoutAnyNameHasThatOfTheNodeAbove) {
+  const Outcome outcome = sees_input(gltf, {"--solid", "none"});
+  EXPECT_THAT(outcome.error, HasSubstr("'shelf'"));
+}
+
+TEST_F(CliMeshImport, ZPointsUpInIfcAndWallsStayUpright) {
+  const std::string ply_file = folder_.path("wall.ply");
+  const Outcome outcome = sees_input(ifc, {"--ply", ply_file});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  std::ifstream file(ply_file);
+  std::string line;
+  while (std::getline(file, line) && line != "end_header") continue;
+  const float y[2] = {0.5F, 0.7F};
+  const float z[2] = {0, 3};
+  for (int corner = 0; corner != 36; ++corner) {
+    double p[3];
+    ASSERT_TRUE(file >> p[0] >> p[1] >> p[2]);
+    std::getline(file, line);
+    EXPECT_NEAR(p[0], p[0] < 3 ? 1 : 5, 1e-6);
+    EXPECT_NEAR(p[1], p[1] < 0.6 ? y[0] : y[1], 1e-6);
+    EXPECT_NEAR(p[2], p[2] < 1 ? z[0] : z[1], 1e-6);
+    EXPECT_EQ(p[2] < 1 ? p[2] : 0, 0) << "the foot is on the ground";
+  }
+}
+
+}  // namespace
+}  // namespace shaftcull::test
