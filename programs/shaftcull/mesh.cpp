@@ -64,7 +64,7 @@ class Collector {
     return count;
   }
 
-  /// `family` is the name of the nearest node above that has one, but for the root, which is called after the file.
+  /// `family` is the name of the nearest node above that has one.
   void visit(const aiNode& node, const aiMatrix4x4& parent_to_world, const std::string& family) {
     const aiMatrix4x4 to_world = parent_to_world * node.mTransformation;
     const std::string own = given_name(node.mName);
@@ -77,7 +77,7 @@ class Collector {
       if (i == 0 || split_meshes_) objects_.push_back({name_of(node, mesh, family), {}});
       objects_.back().meshes.push_back({&mesh, to_world});
     }
-    const std::string& below = &node == file_.mRootNode ? family : own.empty() ? family : own;
+    const std::string& below = own.empty() ? family : own;
     for (unsigned i = 0; i < node.mNumChildren; ++i) visit(*node.mChildren[i], to_world, below);
   }
 
@@ -102,10 +102,11 @@ class Collector {
     return !of_node.empty() ? of_node : !of_mesh.empty() ? of_mesh : family;
   }
 
-  /// Empty for names that readers make up: "nodes[0]" and "meshes[1]-0" of glTF, "$RelAggregates" of IFC.
+  /// Empty for names that readers make up: "ROOT", "nodes[0]" and "meshes[1]-0" of glTF, "$RelAggregates" of IFC.
   static std::string given_name(const aiString& name) {
     const std::string_view text = name.C_Str();
-    const bool is_made_up = text.starts_with("nodes[") || text.starts_with("meshes[") || text.starts_with('$');
+    const bool is_made_up =
+        text.starts_with("nodes[") || text.starts_with("meshes[") || text.starts_with('$') || text == "ROOT";
     return is_made_up ? std::string() : std::string(text);
   }
 

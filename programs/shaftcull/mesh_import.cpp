@@ -26,17 +26,17 @@ namespace {
 
 constexpr unsigned steps = aiProcess_Triangulate;
 
-void require_readable(const std::string& path) {
+void require_readable(const std::string& path, const std::string& name) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) {
-    throw InvalidArgument(fmt::format("{}: there is no such file; give a mesh file (OBJ, PLY, glTF, …)", path));
+    throw InvalidArgument(fmt::format("{}: there is no such file; give a mesh file (OBJ, PLY, glTF, …)", name));
   }
   if (std::filesystem::is_directory(status)) {
-    throw InvalidArgument(fmt::format("{}: is a directory; give a mesh file (OBJ, PLY, glTF, …)", path));
+    throw InvalidArgument(fmt::format("{}: is a directory; give a mesh file (OBJ, PLY, glTF, …)", name));
   }
   if (std::filesystem::is_regular_file(status) && std::filesystem::file_size(path, error) == 0 && !error) {
-    throw InvalidArgument(fmt::format("{}: the file is empty; give a mesh file (OBJ, PLY, glTF, …)", path));
+    throw InvalidArgument(fmt::format("{}: the file is empty; give a mesh file (OBJ, PLY, glTF, …)", name));
   }
 }
 
@@ -167,7 +167,7 @@ void keep_axes_of_ifc(const aiScene& scene) {
 MeshImport::MeshImport(const std::string& path)
     : name_(path == "-" ? "standard input" : path), importer_(std::make_unique<Assimp::Importer>()) {
   const std::string from = path == "-" ? "/dev/stdin" : path;
-  require_readable(from);
+  require_readable(from, name_);
   if (is_stream(from)) {
     read_stream(*importer_, from, name_);
   } else {

@@ -98,8 +98,9 @@ TEST_F(CliMeshImport, StandardInputHasTheFormatThatItsFirstBytesShow) {
 }
 
 TEST_F(CliMeshImport, ABinaryStlIsToldByItsLength) {
-  std::string binary(80, 's');
-  binary += std::string("\1\0\0\0", 4) + std::string(50, '\0');
+  const float facet[12] = {0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+  std::string binary = std::string(80, 's') + std::string("\1\0\0\0", 4);
+  binary += std::string(reinterpret_cast<const char*>(facet), sizeof facet) + std::string(2, '\0');
   EXPECT_EQ(nlohmann::json::parse(sees_input(binary).out)["triangles"], 1);
   EXPECT_THAT(refused_input(binary + "?"), HasSubstr("does not begin as"));
 }
