@@ -18,22 +18,19 @@
 
 namespace shaftcull {
 
-void kernel::require_finite(const Box& box, const char* name) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    const float lo = box.lo[k];
-    const float hi = box.hi[k];
-    if (std::isfinite(lo) && std::isfinite(hi) && lo <= hi) continue;
-    const std::string axis = {'.', "xyz"[k]};
-    const std::string box_name = std::string("box ") + name + ": ";
-    for (const bool is_hi : {false, true}) {
-      const float value = is_hi ? hi : lo;
-      if (std::isfinite(value)) continue;
-      kernel::fail(InvalidArgument(box_name + (is_hi ? "hi" : "lo") + axis + " = " + text(value) +
-                                   "; a shaft joins finite boxes only"));
-    }
-    kernel::fail(InvalidArgument(box_name + "lo" + axis + " = " + text(lo) + " is above hi" + axis + " = " + text(hi) +
-                                 "; lo must be at most hi"));
+void kernel::refuse_box(const Box& box, const char* name) {
+  std::size_t k = 0;  // the first axis that is wrong
+  while (std::isfinite(box.lo[k]) && std::isfinite(box.hi[k]) && box.lo[k] <= box.hi[k]) ++k;
+  const std::string axis = {'.', "xyz"[k]};
+  const std::string box_name = std::string("box ") + name + ": ";
+  for (const bool is_hi : {false, true}) {
+    const float value = is_hi ? box.hi[k] : box.lo[k];
+    if (std::isfinite(value)) continue;
+    kernel::fail(InvalidArgument(box_name + (is_hi ? "hi" : "lo") + axis + " = " + text(value) +
+                                 "; a shaft joins finite boxes only"));
   }
+  kernel::fail(InvalidArgument(box_name + "lo" + axis + " = " + text(box.lo[k]) + " is above hi" + axis + " = " +
+                               text(box.hi[k]) + "; lo must be at most hi"));
 }
 
 Shaft::Shaft(const Box& a, const Box& b, const ShaftOptions& options) : a_(a), b_(b), options_(options) {

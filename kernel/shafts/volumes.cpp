@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <string>
 
@@ -43,53 +44,61 @@ constexpr float largest_float = std::numeric_limits<float>::max();
 /// coordinate.
 constexpr double followed = 16;
 
+/// Eight lanes, one for each face; the last two are of no face. Loops over all of them become vectors.
+using Lanes8 = float[8];
+
 /// Overwrites the slab coefficients of a shaft without end by those of the endless form, if it suits.
 ///
 /// The first constraint is that of the face that moves fastest of those that follow the box. It bounds t from above,
 /// wherever the bound is.
-bool write_endless_slab(ShaftData& shaft, const float (&slope)[6]) noexcept {
-  unsigned first = 6;
+bool write_endless_slab(ShaftData& shaft, const Lanes8& start, const Lanes8& slope) noexcept {
+  unsigned first = 0;
+  float speed = -1;
   for (unsigned f = 0; f < 6; ++f) {
-    const float size = std::fabs(slope[f]);
-    if (std::fabs(shaft.a[f]) > kernel::endless_limit || size > kernel::endless_limit) return false;
-    if (size != 0 && size < 1 / kernel::endless_limit) return false;
-    const bool follows = f < 3 ? slope[f] > 0 : slope[f] < 0;
-    if (follows && (first == 6 || size > std::fabs(slope[first]))) first = f;
+    const float following = f < 3 ? slope[f] : -slope[f];
+    const bool is_faster = following > 0 && following > speed;
+    first = is_faster ? f : first;
+    speed = is_faster ? following : speed;
   }
-  const float speed = std::fabs(slope[first]);
   constexpr float no_bound = std::numeric_limits<float>::infinity();
-  float scale[6];
-  for (unsigned f = 0; f < 6; ++f) {
+  constexpr Lanes8 still = {no_bound, no_bound, no_bound, -no_bound, -no_bound, -no_bound, 1, 1};
+  Lanes8 scale;
+  int suits = 1;
+  for (unsigned f = 0; f < 8; ++f) {
     // A face that does not move bounds t from above, by +∞ (met) or −∞ (not met).
-    scale[f] = slope[f] == 0 ? (f < 3 ? no_bound : -no_bound) : speed / slope[f];
-    if (slope[f] != 0 && !(std::fabs(scale[f]) <= largest_float)) return false;
+    const float quotient = speed / slope[f];
+    scale[f] = slope[f] == 0 ? still[f] : quotient;
+    const float travel = std::fabs(slope[f]);
+    const float size = std::fabs(quotient);
     // A denormal has fewer bits than the margin supposes: a face that is as much faster than all that follow the box.
-    if (slope[f] != 0 && !(std::fabs(scale[f]) >= kernel::least_endless_scale)) return false;
     // What the corner of a sphere is rounded by counts for so much of t, and must not overflow.
-    if (slope[f] != 0 && !(std::fabs(shaft.a[f] * scale[f]) <= kernel::endless_start_limit)) return false;
+    const int moves_well = (travel >= 1 / kernel::endless_limit) & (travel <= kernel::endless_limit) &
+                           (size <= largest_float) & (size >= kernel::least_endless_scale) &
+                           (std::fabs(start[f] * quotient) <= kernel::endless_start_limit);
+    suits &= (moves_well | (slope[f] == 0)) & (std::fabs(start[f]) <= kernel::endless_limit);
   }
-  unsigned next = 0;
-  const auto write = [&](unsigned f) {
-    shaft.slab_scale[next] = scale[f];
-    shaft.slab_shift[next] = shaft.a[f];
-    shaft.slab_near[next++] = kernel::near_stream[f];
-  };
-  const auto bounds_from_above = [&](unsigned f) { return (scale[f] > 0) == (f < 3); };
-  write(first);
-  for (unsigned f = 0; f < 6; ++f) {
-    if (f != first && bounds_from_above(f)) write(f);
+  if (suits == 0) return false;
+  unsigned negative = 0;
+  for (unsigned f = 0; f < 6; ++f) negative |= static_cast<unsigned>(scale[f] < 0) << f;
+  const kernel::SlabOrder& order = kernel::slab_orders.by_negative[negative];
+  std::memcpy(shaft.slab_near, &order.selectors, sizeof order.selectors);
+  unsigned at = 0;  // of the first constraint, among those that bound t from above
+  for (unsigned i = 0; i < 6; ++i) {
+    const unsigned f = order.face[i];
+    shaft.slab_scale[i] = scale[f];
+    shaft.slab_shift[i] = start[f];
+    at = f == first ? i : at;
   }
-  shaft.slab_uppers = static_cast<std::uint8_t>(next);
-  for (unsigned f = 0; f < 6; ++f) {
-    if (!bounds_from_above(f)) write(f);
-  }
+  std::swap(shaft.slab_scale[0], shaft.slab_scale[at]);
+  std::swap(shaft.slab_shift[0], shaft.slab_shift[at]);
+  std::swap(shaft.slab_near[0], shaft.slab_near[at]);
   shaft.slab_form = ShaftData::SlabForm::endless;
   shaft.slab_margin = kernel::endless_margin;
   return true;
 }
 
-/// Overwrites the slab coefficients of a shaft whose ends are rounded by those that the faces' own slopes give.
-void write_slab(ShaftData& shaft, const MovingFaces& faces) noexcept {
+/// Writes the slab coefficients of a shaft whose ends are rounded, as the faces' own slopes give them.
+SHAFTCULL_COLD void write_slab(ShaftData& shaft, const MovingFaces& faces) noexcept {
   using Lanes = kernel::scalar::Floats;
   float slope[6];
   bool is_regular = true;
@@ -99,10 +108,8 @@ void write_slab(ShaftData& shaft, const MovingFaces& faces) noexcept {
                  (travel == 0 || std::fabs(travel) >= 1 / double{kernel::regular_limit});
     slope[f] = static_cast<float>(std::clamp(travel, -double{largest_float}, double{largest_float}));
   }
-  if (faces.is_endless()) {
-    if (write_endless_slab(shaft, slope)) return;
-    is_regular = false;
-  } else if (is_regular && shaft.largest_coordinate > kernel::largest_plain_coordinate) {
+  is_regular = is_regular && !faces.is_endless();
+  if (is_regular && shaft.largest_coordinate > kernel::largest_plain_coordinate) {
     const kernel::TravelFromNearer<Lanes> travel(shaft);
     if (travel.from == shaft.a && kernel::write_relative_slab<Lanes>(shaft, travel, slope)) return;
   }
@@ -115,49 +122,50 @@ void write_slab(ShaftData& shaft, const MovingFaces& faces) noexcept {
 /// What moves, as ShaftData has it.
 struct Movement {
   Kind kind;
-  Box start;
-  Faces6 motion;
-  float reach;
+  Lanes8 start = {};
+  Lanes8 motion = {};
+  float reach = 1;
+
+  Movement(Kind of, const Box& from, const Vec3& first, const Vec3& second) noexcept : kind(of) {
+    std::memcpy(start, &from, sizeof from);
+    std::memcpy(motion, &first, sizeof first);
+    std::memcpy(motion + 3, &second, sizeof second);
+  }
 };
 
-/// Writes the shaft, without planes.
-void form(const kernel::Kernels& kernels, const Movement& movement, ShaftData& shaft) noexcept {
-  const auto write_movement = [&] {
-    shaft.kind = movement.kind;
-    std::copy(movement.motion.begin(), movement.motion.end(), shaft.motion);
-    shaft.reach = movement.reach;
-  };
-  write_movement();
-  const Faces6 start = kernel::positions(movement.start);
-  std::copy(start.begin(), start.end(), shaft.a);
-  const MovingFaces faces(shaft);
+/// Writes what moves.
+MovingFaces write_movement(const Movement& movement, ShaftData& shaft) noexcept {
+  std::memcpy(shaft.a, movement.start, sizeof shaft.a);
+  std::memcpy(shaft.motion, movement.motion, sizeof shaft.motion);
+  shaft.kind = movement.kind;
+  shaft.reach = movement.reach;
+  return MovingFaces(shaft);
+}
 
-  Faces6 end;
-  if (faces.is_endless()) {
-    double speed = 0;
-    double largest = 0;
-    for (unsigned f = 0; f < 6; ++f) {
-      speed = std::max(speed, std::fabs(faces.slope(f)));
-      largest = std::max(largest, std::fabs(double{start[f]}));
-    }
-    const double t = (largest == 0 ? speed : followed * largest) / speed;
-    for (unsigned f = 0; f < 6; ++f) {
-      const double x = start[f] + t * faces.slope(f);
-      end[f] = static_cast<float>(std::clamp(x, -double{largest_float}, double{largest_float}));
-      shaft.face[f] = !faces.is_blue(f) ? start[f] : f < 3 ? -largest_float : largest_float;
-    }
+/// Writes a shaft that ends, without planes.
+void form_to_end(const kernel::Kernels& kernels, const Movement& movement, ShaftData& shaft) noexcept {
+  const MovingFaces faces = write_movement(movement, shaft);
+  Lanes8 end;
+  // Takes where faces end from numbers of all of them.
+  const auto take = [&](const auto& ends) {
+    std::memcpy(end, ends.nearest, sizeof end);
+    for (unsigned f = 0; f < 6; ++f) shaft.face[f] = faces.is_blue(f) ? ends.within[f] : movement.start[f];
+    for (unsigned k = 0; k < 3; ++k)
+      end[k + 3] = std::max(end[k], end[k + 3]);  // rounding may swap what is as good as equal
+  };
+  if (movement.kind == Kind::swept) {
+    const kernel::DisplacedFaces displaced(movement.start, movement.motion);
+    displaced.are_finite ? take(displaced) : take(kernel::EndFaces(faces));
   } else {
-    for (unsigned f = 0; f < 6; ++f) {
-      const kernel::EndFace face = kernel::end_face(faces, f);
-      end[f] = face.nearest;
-      shaft.face[f] = faces.is_blue(f) ? face.within : start[f];
-    }
+    take(kernel::EndFaces(faces));
   }
-  for (unsigned k = 0; k < 3; ++k)
-    end[k + 3] = std::max(end[k], end[k + 3]);  // rounding may swap what is as good as equal
-  static_cast<void>(kernels.compile_pair(movement.start, std::bit_cast<Box>(end), shaft));  // both are finite
-  write_movement();
-  if (shaft.slab_form == ShaftData::SlabForm::fused && !faces.is_endless()) {
+  Box from;
+  Box to;
+  std::memcpy(&from, movement.start, sizeof from);
+  std::memcpy(&to, end, sizeof to);
+  static_cast<void>(kernels.compile_pair(from, to, shaft));  // both are finite
+  shaft.kind = movement.kind;
+  if (shaft.slab_form == ShaftData::SlabForm::fused) {
     shaft.slab_margin *= kernel::rounded_end_factor;
   } else {
     write_slab(shaft, faces);
@@ -165,25 +173,65 @@ void form(const kernel::Kernels& kernels, const Movement& movement, ShaftData& s
   shaft.largest_coordinate *= kernel::rounded_end_factor;
 }
 
-CompiledShaft form(const Movement& movement, std::span<const Plane> planes) noexcept {
-  CompiledShaft formed;
-  const kernel::FloatEnvironment environment;
-  const kernel::Kernels& kernels = kernel::active_kernels();
-  kernel::ShaftData& shaft = kernel::data_of(formed);
-  form(kernels, movement, shaft);
-  kernel::add_planes(kernels, planes, shaft.face, shaft);
-  return formed;
+/// Writes a shaft without end, without planes.
+void form_endless(const Movement& movement, ShaftData& shaft) noexcept {
+  std::memcpy(&shaft.joining_count, &kernel::batch_flags, sizeof kernel::batch_flags);
+  const MovingFaces faces = write_movement(movement, shaft);
+  const Lanes8& start = movement.start;
+  const bool is_shadow = movement.kind == Kind::shadow_without_end;
+  double slope[8];
+  Lanes8 rounded_slope;
+  for (unsigned f = 0; f < 8; ++f) {
+    slope[f] = is_shadow ? double{start[f]} - double{movement.motion[f]} : double{movement.motion[f]};
+    rounded_slope[f] = static_cast<float>(slope[f]);  // infinite ones have no endless form
+  }
+  double speed = 0;
+  double largest = 0;
+  for (unsigned f = 0; f < 6; ++f) {
+    speed = std::max(speed, std::fabs(slope[f]));
+    largest = std::max(largest, std::fabs(double{start[f]}));
+  }
+  const double t = (largest == 0 ? speed : followed * largest) / speed;
+  Lanes8 end;
+  for (unsigned f = 0; f < 8; ++f) end[f] = static_cast<float>(start[f] + t * slope[f]);
+  float largest_end = 0;
+  for (unsigned f = 0; f < 6; ++f) {
+    if (f >= 3) end[f] = std::max(end[f - 3], end[f]);  // rounding may swap what is as good as equal
+    largest_end = std::max(largest_end, std::fabs(end[f]));
+    const float edge = f < 3 ? -largest_float : largest_float;
+    shaft.face[f] = (f < 3 ? slope[f] < 0 : slope[f] > 0) ? edge : start[f];
+  }
+  if (largest_end > largest_float) {
+    largest_end = largest_float;
+    for (float& face : end) face = std::clamp(face, -largest_float, largest_float);
+  }
+  std::memcpy(shaft.b, end, sizeof shaft.b);
+  shaft.largest_coordinate = std::max(static_cast<float>(largest), largest_end);
+  if (!write_endless_slab(shaft, start, rounded_slope)) write_slab(shaft, faces);
+  shaft.largest_coordinate *= kernel::rounded_end_factor;
 }
 
-void require_vector(const Vec3& vector, const char* name) {
-  for (std::size_t k = 0; k != 3; ++k) {
-    if (std::isfinite(vector[k])) continue;
-    kernel::fail(
-        InvalidArgument(std::string(name) + "." + "xyz"[k] + " = " + kernel::text(vector[k]) + " is not finite"));
+/// Writes a shaft, without planes.
+void form(const kernel::Kernels& kernels, const Movement& movement, ShaftData& shaft) noexcept {
+  if (movement.kind == Kind::swept_infinite || movement.kind == Kind::shadow_without_end) {
+    form_endless(movement, shaft);
+  } else {
+    form_to_end(kernels, movement, shaft);
   }
 }
 
-Faces6 twice(const Vec3& vector) noexcept { return {vector[0], vector[1], vector[2], vector[0], vector[1], vector[2]}; }
+[[noreturn]] void refuse_vector(const Vec3& vector, const char* name) {
+  const auto k = static_cast<std::size_t>(
+      std::find_if(vector.begin(), vector.end(), [](float x) { return !std::isfinite(x); }) - vector.begin());
+  kernel::fail(
+      InvalidArgument(std::string(name) + "." + "xyz"[k] + " = " + kernel::text(vector[k]) + " is not finite"));
+}
+
+void require_vector(const Vec3& vector, const char* name) {
+  const auto is_finite = [](float x) { return std::fabs(x) <= largest_float; };
+  if (!(is_finite(vector[0]) & is_finite(vector[1]) & is_finite(vector[2]))) [[unlikely]]
+    refuse_vector(vector, name);
+}
 
 void require_apart(const Box& light, const Box& occluder) {
   for (std::size_t k = 0; k != 3; ++k) {
@@ -194,30 +242,26 @@ void require_apart(const Box& light, const Box& occluder) {
       "axis"));
 }
 
-/// The light's corners, each opposite to the occluder's corner that moves away from it.
-Faces6 inverted(const Box& light) noexcept {
-  return {light.hi[0], light.hi[1], light.hi[2], light.lo[0], light.lo[1], light.lo[2]};
-}
-
 /// The movement of each kind, or the InvalidArgument that its call throws.
 Movement swept_movement(const Box& body, const Vec3& displacement) {
   kernel::require_finite(body, "body");
   require_vector(displacement, "displacement");
-  return {Kind::swept, body, twice(displacement), 1};
+  return {Kind::swept, body, displacement, displacement};
 }
 
 Movement endless_movement(const Box& body, const Vec3& direction) {
   kernel::require_finite(body, "body");
   require_vector(direction, "direction");
   if (direction == Vec3{0, 0, 0}) kernel::fail(InvalidArgument("swept_infinite: direction is 0, which leads nowhere"));
-  return {Kind::swept_infinite, body, twice(direction), 1};
+  return {Kind::swept_infinite, body, direction, direction};
 }
 
 Movement shadow_movement(const Box& light, const Box& occluder) {
   kernel::require_finite(light, "light");
   kernel::require_finite(occluder, "occluder");
   require_apart(light, occluder);
-  return {Kind::shadow_without_end, occluder, inverted(light), 1};
+  // Each corner of the light is opposite to the occluder's corner that moves away from it.
+  return {Kind::shadow_without_end, occluder, light.hi, light.lo};
 }
 
 void require_reach(float reach) {
@@ -236,12 +280,16 @@ Movement shadow_movement(const Box& light, const Box& occluder, float reach) {
 /// A call for one shaft.
 template <class MovementOf>
 CompiledShaft one(std::span<const Plane> planes, const MovementOf& movement_of) {
-  const Movement movement = kernel::in_float_environment([&] {
-    const Movement checked = movement_of();
-    kernel::require_planes(planes);
-    return checked;
+  return kernel::in_float_environment([&] {
+    const Movement movement = movement_of();
+    if (!planes.empty()) kernel::require_planes(planes);
+    CompiledShaft formed;
+    const kernel::Kernels& kernels = kernel::active_kernels();
+    ShaftData& shaft = kernel::data_of(formed);
+    form(kernels, movement, shaft);
+    if (!planes.empty()) kernel::add_planes(kernels, planes, shaft.face, shaft);
+    return formed;
   });
-  return form(movement, planes);
 }
 
 /// A call for many: movement_of(i) is that of shaft i, which has planes of box a_of(i) and of box b_of(i).
