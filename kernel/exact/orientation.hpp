@@ -73,6 +73,14 @@ class SpannedPlane {
       u_[k] = u[k];
       v_[k] = v[k];
     }
+    for (unsigned k = 0; k < 3; ++k) {
+      const unsigned i = (k + 1) % 3;
+      const unsigned j = (k + 2) % 3;
+      const double left = u_[i].rounded() * v_[j].rounded();
+      const double right = u_[j].rounded() * v_[i].rounded();
+      rounded_normal_[k] = left - right;
+      magnitude_[k] = std::fabs(left) + std::fabs(right);
+    }
   }
 
   [[nodiscard]] int side(const double (&x)[3]) const noexcept {
@@ -85,12 +93,8 @@ class SpannedPlane {
     double sum = 0;
     double magnitude = 0;
     for (unsigned k = 0; k < 3; ++k) {
-      const unsigned i = (k + 1) % 3;
-      const unsigned j = (k + 2) % 3;
-      const double left = u_[i].rounded() * v_[j].rounded();
-      const double right = u_[j].rounded() * v_[i].rounded();
-      sum += (left - right) * w[k].rounded();
-      magnitude += (std::fabs(left) + std::fabs(right)) * std::fabs(w[k].rounded());
+      sum += rounded_normal_[k] * w[k].rounded();
+      magnitude += magnitude_[k] * std::fabs(w[k].rounded());
     }
     // Three rounded differences, two rounded products and three rounded sums a term: < 9 units of its magnitude.
     if (std::fabs(sum) > 16 * unit * magnitude) return sum > 0 ? 1 : -1;
@@ -110,6 +114,8 @@ class SpannedPlane {
   double point_[3];
   Step u_[3];
   Step v_[3];
+  double rounded_normal_[3];
+  double magnitude_[3];  ///< of the terms of each component
 };
 
 }  // namespace shaftcull::kernel

@@ -106,7 +106,7 @@ class HullFormation {
     const SpannedPlane plane = plane_through(hull_, {vertex(p), vertex(q), vertex(r)});
     const Sides sides = sides_of(hull_, [&](unsigned v) {
       const Step to[3] = {step_between(hull_, p, v, 0), step_between(hull_, p, v, 1), step_between(hull_, p, v, 2)};
-      return v == p ? 0 : plane.sign_along(to);
+      return v == p || v == q || v == r ? 0 : plane.sign_along(to);
     });
     if (!sides.is_supporting()) return;
     double normal[3];
@@ -158,6 +158,7 @@ class HullFormation {
     const double normal[2] = {line.along[1].rounded(), -line.along[0].rounded()};
     if (normal[0] == 0 || normal[1] == 0) return;  // a point, or a face of the box
     const Sides sides = sides_of(hull_, [&](unsigned v) {
+      if (v == p || v == q) return 0;
       const double x = hull_.vertex[v][line.i];
       const double y = hull_.vertex[v][line.j];
       return v < hull_.points ? line.side(x, y) : line.side_of_direction(x, y);
