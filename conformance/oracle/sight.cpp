@@ -116,6 +116,7 @@ class Infinitesimal {
   friend Infinitesimal operator*(const Infinitesimal& a, const Infinitesimal& b) {
     Infinitesimal product = 0;
     for (std::size_t i = 0; i != powers; ++i) {
+      if (a.coefficient_[i] == 0) continue;
       for (std::size_t k = 0; i + k != powers; ++k) {
         product.coefficient_[i + k] += a.coefficient_[i] * b.coefficient_[k];
       }
@@ -146,6 +147,16 @@ struct BoxOf {
     PointOf<Number> point;
     for (unsigned k = 0; k != 3; ++k) point[k] = (c >> k & 1U) != 0 ? hi[k] : lo[k];
     return point;
+  }
+  /// All corners, each once.
+  [[nodiscard]] std::vector<PointOf<Number>> corners() const {
+    std::vector<PointOf<Number>> corners;
+    for (unsigned c = 0; c != 8; ++c) {
+      bool is_new = true;
+      for (unsigned k = 0; k != 3; ++k) is_new = is_new && ((c >> k & 1U) == 0 || !is_flat(k));
+      if (is_new) corners.push_back(corner(c));
+    }
+    return corners;
   }
 };
 
@@ -237,7 +248,7 @@ class Answers final : public SightOracle::Questions {
           to[i].corners = points(with_corners[i]);
           to[i].planes = planes_of(to[i].corners);
         } else {
-          for (unsigned c = 0; c != 8; ++c) to[i].corners.push_back(all[i].corner(c));
+          to[i].corners = all[i].corners();
           if (!all_planes.empty()) to[i].planes = {all_planes[i]};
         }
         to[i].is_box = true;
@@ -266,7 +277,7 @@ class Answers final : public SightOracle::Questions {
         occluder_triangles_.back().push_back(std::move(part));
       }
       if (!occluder.corners.empty()) continue;
-      for (unsigned c = 0; c != 8; ++c) occluder_corners_.back().push_back(occluder_boxes_.back().corner(c));
+      occluder_corners_.back() = occluder_boxes_.back().corners();
     }
   }
 
@@ -281,12 +292,16 @@ class Answers final : public SightOracle::Questions {
       truth.is_occluded = may_block && polygon_blocks(a.corners, b.corners, polygons_[k]);
     }
     const bool are_boxes = a.is_box && b.is_box;
+    std::vector<std::size_t> reaching;
+    for (std::size_t k = 0; k != occluder_boxes_.size(); ++k) {
+      if (reaches(i, j, k)) reaching.push_back(k);
+    }
+    if (reaching.empty()) return truth;
     const std::vector<AnyPlane> planes = are_boxes ? std::vector<AnyPlane>() : tangents(a, b);
     const auto is_left_out = [&](const std::vector<Point>& corners) {
       return are_behind(a, corners) || are_behind(b, corners) || are_separate(planes, corners);
     };
-    for (std::size_t k = 0; k != occluder_boxes_.size(); ++k) {
-      if (!reaches(i, j, k)) continue;
+    for (const std::size_t k : reaching) {
       if (is_left_out(occluder_corners_[k])) continue;
       const std::vector<Part>& parts = occluder_triangles_[k];
       if (!parts.empty() && std::none_of(parts.begin(), parts.end(), [&](const Part& part) {
@@ -310,8 +325,10 @@ class Answers final : public SightOracle::Questions {
     const AnyBox& solid = solids_[k];
     if (!solids_around_ends_ && (holds_part_of(solid, a_[i].box) || holds_part_of(solid, b_[j].box))) return false;
     const bool is_open = !solid.is_flat(0) && !solid.is_flat(1) && !solid.is_flat(2);
-    return all_segments(a_[i].corners, b_[j].corners, is_open,
-                        [&](const auto& p, const auto& q) { return passes_box(p, q, solid); });
+    // Where a segment misses the closed box, so do those near it.
+    const auto misses = [&](const Point& p, const Point& q) { return !passes_box(p, q, solid, false); };
+    return all_segments(a_[i].corners, b_[j].corners, is_open, misses,
+                        [&](const auto& p, const auto& q) { return passes_box(p, q, solid, true); });
   }
 
   [[nodiscard]] bool is_behind(std::size_t i, std::size_t j) const override { return are_behind(a_[i], b_[j].corners); }
@@ -388,15 +405,10 @@ class Answers final : public SightOracle::Questions {
 
   /// How high above a plane the lowest point is whose coordinates differ from those of p by the tolerance at most.
   [[nodiscard]] Number lowest_height(const AnyPlane& plane, const Point& p) const {
-    Number lowest = dot(plane.normal, p) - plane.offset;
-    for (unsigned c = 0; c != 8; ++c) {
-      Point moved;
-      for (unsigned k = 0; k != 3; ++k)
-        moved[k] = (c >> k & 1U) != 0 ? Number(p[k] + tolerance_) : Number(p[k] - tolerance_);
-      const Number height = dot(plane.normal, moved) - plane.offset;
-      if (height < lowest) lowest = height;
-    }
-    return lowest;
+    Number height = dot(plane.normal, p) - plane.offset;
+    if (tolerance_ == 0) return height;
+    for (const Number& n : plane.normal) height -= n < 0 ? Number(-n * tolerance_) : Number(n * tolerance_);
+    return height;
   }
   /// Whether all points may lie in the plane of one of the triangles of a polygon, within the tolerance.
   [[nodiscard]] bool lie_in(const std::vector<Point>& points, const std::vector<Point>& polygon) const {
@@ -464,7 +476,7 @@ class Answers final : public SightOracle::Questions {
     } else {
       for (unsigned c = 0; c != 8; ++c) {
         for (const unsigned k : {1U, 2U, 4U}) {
-          if ((c & k) == 0) edges.emplace_back(patch.corners[c], patch.corners[c | k]);
+          if ((c & k) == 0) edges.emplace_back(patch.box.corner(c), patch.box.corner(c | k));
         }
       }
     }
@@ -495,20 +507,23 @@ class Answers final : public SightOracle::Questions {
 
   /// Whether all segments between the relative interiors of two hulls pass. These are the unions of the hulls shrunk
   /// towards their middles, by however little, and of a shrunk hull the corners decide. If `is_open`, points near those
-  /// of a segment that passes have segments that pass, so most corners need not be moved.
-  template <class Passes>
+  /// of a segment that passes have segments that pass, and points near those of a segment that `misses` have segments
+  /// that do not pass, so most corners need not be moved.
+  template <class Misses, class Passes>
   [[nodiscard]] static bool all_segments(const std::vector<Point>& a, const std::vector<Point>& b, bool is_open,
-                                         const Passes& passes) {
+                                         const Misses& misses, const Passes& passes) {
     return std::all_of(a.begin(), a.end(), [&](const Point& p) {
-      return std::all_of(b.begin(), b.end(),
-                         [&](const Point& q) { return (is_open && passes(p, q)) || passes(inner(p, a), inner(q, b)); });
+      return std::all_of(b.begin(), b.end(), [&](const Point& q) {
+        return !misses(p, q) && ((is_open && passes(p, q)) || passes(inner(p, a), inner(q, b)));
+      });
     });
   }
 
-  /// Whether the relative interiors of segment and box meet.
+  /// Whether segment and box meet; if `is_open`, their relative interiors.
   template <class Coordinate>
-  [[nodiscard]] static bool passes_box(const PointOf<Coordinate>& p, const PointOf<Coordinate>& q, const AnyBox& box) {
-    Times<Coordinate> times(true);
+  [[nodiscard]] static bool passes_box(const PointOf<Coordinate>& p, const PointOf<Coordinate>& q, const AnyBox& box,
+                                       bool is_open) {
+    Times<Coordinate> times(is_open);
     for (std::size_t k = 0; k != 3; ++k) {
       const Coordinate way = q[k] - p[k];
       if (box.is_flat(k)) {
@@ -552,13 +567,16 @@ class Answers final : public SightOracle::Questions {
       }
     }
     if (third == 0) return false;
-    return all_segments(a, b, true, [&](const auto& p, const auto& q) {
+    const auto side = [&](const auto& r) {
+      using Coordinate = typename std::decay_t<decltype(r)>::value_type;
+      const auto corner = [&](std::size_t i) { return as<Coordinate>(polygon[i]); };
+      return sign<Coordinate>(
+          determinant(minus(corner(second), corner(0)), minus(corner(third), corner(0)), minus(r, corner(0))));
+    };
+    const auto misses = [&](const Point& p, const Point& q) { return side(p) * side(q) == 1; };
+    return all_segments(a, b, true, misses, [&](const auto& p, const auto& q) {
       using Coordinate = typename std::decay_t<decltype(p)>::value_type;
       const auto corner = [&](std::size_t i) { return as<Coordinate>(polygon[i % polygon.size()]); };
-      const auto side = [&](const PointOf<Coordinate>& r) {
-        return sign<Coordinate>(
-            determinant(minus(corner(second), corner(0)), minus(corner(third), corner(0)), minus(r, corner(0))));
-      };
       if (side(p) * side(q) != -1) return false;
       // The line passes all edges on the same side.
       int all = 0;

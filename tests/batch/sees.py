@@ -40,11 +40,11 @@ def own_lines(done):
 
 def on_ranks():
     """Files for NumPy, and pictures."""
-    for more in ([], ["--rays", 3]):
+    for more, several in (([], (2,)), (["--rays", 3], (1, 2, 3, 5))):
         report = found_by(0, *both, *more)
         whole = take_files()
         assert set(whole) == {"seen.npz", "seen.svg", "seen.ply"}
-        for ranks in (1, 2, 3, 5):
+        for ranks in several:
             done = sees(ranks, *both, *more, "--format", "json")
             assert done.returncode == 0, done
             found = json.loads(done.stdout)

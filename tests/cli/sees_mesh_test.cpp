@@ -288,7 +288,7 @@ TEST_F(CliSeesMesh, CoordinatesCanBeScaled) {
 TEST_F(CliSeesMesh, ADentIsNotSolid) {
   std::string dented = upright_wall();
   dented.replace(dented.find("v 4 5 5"), 7, "v 5 1 1");
-  EXPECT_THAT(output_of({"sees", file(dented), "--solid", "wall"}),
+  EXPECT_THAT(output_of({"sees", file(dented), "--patches", "2", "--solid", "wall"}),
               HasSubstr("--solid: skipped 1 object that cannot be solid; the first is 'wall': it is not convex\n"));
 }
 
