@@ -73,35 +73,32 @@ int height_sign(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& x, floa
 
 namespace {
 
-/// Whether x lies in the plane of p, q and r, within the tolerance. True for all x if these are in line.
-bool lies_in_plane(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& x, float tolerance) noexcept {
-  return height_sign(p, q, r, x, tolerance) <= 0 && height_sign(p, r, q, x, tolerance) <= 0;
+/// Whether `is_found(lies_in)` for the plane of one of a polygon's triangles with an area. `lies_in(x)` is whether x
+/// lies in that plane, within the tolerance.
+template <class IsFound>
+bool any_plane(std::span<const Vec3> polygon, float tolerance, const IsFound& is_found) noexcept {
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    const Vec3& p = polygon[0];
+    const Vec3& q = polygon[i - 1];
+    const Vec3& r = polygon[i];
+    const auto lies_in = [&](const Vec3& x) {
+      return height_sign(p, q, r, x, tolerance) <= 0 && height_sign(p, r, q, x, tolerance) <= 0;
+    };
+    if (has_area(Edge3(p, q), Edge3(p, r)) && is_found(lies_in)) return true;
+  }
+  return false;
 }
 
 }  // namespace
 
 bool lie_in_plane(std::span<const Vec3> points, std::span<const Vec3> polygon, float tolerance) noexcept {
-  for (std::size_t i = 2; i < polygon.size(); ++i) {
-    if (!has_area(Edge3(polygon[0], polygon[i - 1]), Edge3(polygon[0], polygon[i]))) continue;
-    if (std::all_of(points.begin(), points.end(), [&](const Vec3& x) {
-          return lies_in_plane(polygon[0], polygon[i - 1], polygon[i], x, tolerance);
-        })) {
-      return true;
-    }
-  }
-  return false;
+  return any_plane(polygon, tolerance,
+                   [&](const auto& lies_in) { return std::all_of(points.begin(), points.end(), lies_in); });
 }
 
 bool keep_off_planes(std::span<const Vec3> points, std::span<const Vec3> polygon, float tolerance) noexcept {
-  for (std::size_t i = 2; i < polygon.size(); ++i) {
-    if (!has_area(Edge3(polygon[0], polygon[i - 1]), Edge3(polygon[0], polygon[i]))) continue;
-    if (std::any_of(points.begin(), points.end(), [&](const Vec3& x) {
-          return lies_in_plane(polygon[0], polygon[i - 1], polygon[i], x, tolerance);
-        })) {
-      return false;
-    }
-  }
-  return true;
+  return !any_plane(polygon, tolerance,
+                    [&](const auto& lies_in) { return std::any_of(points.begin(), points.end(), lies_in); });
 }
 
 bool are_on_one_side(std::span<const Vec3> a, std::span<const Vec3> b, const std::array<Vec3, 3>& triangle,
