@@ -857,9 +857,9 @@ typedef struct shaftcull_undecided_pairs {
 
 /// A part of the answers, or all of them.
 typedef struct shaftcull_sight_batch {
-  const shaftcull_pair_block* products; /* decided pairs */
-  uint64_t product_count;               /* of products */
-  shaftcull_undecided_pairs undecided;  /* all other pairs */
+  const shaftcull_pair_block* blocks;  /* decided pairs */
+  uint64_t block_count;                /* of blocks */
+  shaftcull_undecided_pairs undecided; /* all other pairs */
 } shaftcull_sight_batch;
 
 /// The number of pairs with each answer.
@@ -925,8 +925,8 @@ SHAFTCULL_API shaftcull_status shaftcull_visibility_bits(const shaftcull_patches
 /// All answers of a call, in the library's memory.
 typedef struct shaftcull_visibility_result shaftcull_visibility_result;
 
-/// Collects all answers, in memory without a bound: 20 bytes per product, of which there are about a tenth to a fifth
-/// as many as pairs, 16 per undecided pair and 4 per candidate. Freed by shaftcull_visibility_result_free().
+/// Collects all answers, in memory without a bound: 20 bytes per pair block, of which there are about a tenth to a
+/// fifth as many as pairs, 16 per undecided pair and 4 per candidate. Freed by shaftcull_visibility_result_free().
 SHAFTCULL_API shaftcull_status shaftcull_collect_visibility(const shaftcull_patches* a, const shaftcull_patches* b,
                                                             const shaftcull_occluders* occluders,
                                                             const shaftcull_visibility_options* options,

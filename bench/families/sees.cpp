@@ -199,7 +199,7 @@ void ask(const PatchScene& scene, const Occluders& occluders, const PatchProduct
   const std::span<const std::uint32_t> order_a = a.order();
   const std::span<const std::uint32_t> order_b = b.order();
   visibility(a, b, occluders, [&](const SightBatch& batch) {
-    for (const PairBlock& part : batch.products) {
+    for (const PairBlock& part : batch.blocks) {
       decided(order_a.subspan(part.a.first, part.a.count), order_b.subspan(part.b.first, part.b.count), part.sight);
     }
     const UndecidedPairs& open = batch.undecided;
@@ -410,16 +410,16 @@ void forget_peak_of_process() {
 /// What is made of answers that are delivered, so that all of them are read.
 struct DeliveredSum {
   std::uint64_t pairs = 0;
-  std::uint64_t products = 0;
+  std::uint64_t blocks = 0;
   std::uint64_t undecided = 0;
   std::uint64_t candidates = 0;
   std::uint64_t numbers = 0;  ///< sum of the candidates' numbers and of the pairs' patches
 
   void add(const SightBatch& batch) {
-    for (const PairBlock& product : batch.products) pairs += std::uint64_t{product.a.count} * product.b.count;
+    for (const PairBlock& block : batch.blocks) pairs += std::uint64_t{block.a.count} * block.b.count;
     for (const PatchPair& pair : batch.undecided.pairs) numbers += std::uint64_t{pair.a} + pair.b;
     for (const std::uint32_t candidate : batch.undecided.candidates) numbers += candidate;
-    products += batch.products.size();
+    blocks += batch.blocks.size();
     pairs += batch.undecided.pairs.size();
     undecided += batch.undecided.pairs.size();
     candidates += batch.undecided.candidates.size();
@@ -457,8 +457,8 @@ void declare_delivery(Suite& suite, const std::shared_ptr<SeesScene>& sees, cons
           memory = fmt::format("; at most {} MB more than before", (peak - before) >> 20);
         }
         suite.note(fmt::format(
-            "{}: {:.1f} M products, {:.1f} M undecided pairs with {:.1f} candidates each{}", name,
-            static_cast<double>(sum.products) / 1e6, static_cast<double>(sum.undecided) / 1e6,
+            "{}: {:.1f} M blocks, {:.1f} M undecided pairs with {:.1f} candidates each{}", name,
+            static_cast<double>(sum.blocks) / 1e6, static_cast<double>(sum.undecided) / 1e6,
             static_cast<double>(sum.candidates) / static_cast<double>(std::max<std::uint64_t>(sum.undecided, 1)),
             memory));
       },

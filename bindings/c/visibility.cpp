@@ -34,7 +34,7 @@ struct shaftcull_occluders {
 };
 
 struct shaftcull_visibility_result {
-  std::vector<shaftcull_pair_block> products;
+  std::vector<shaftcull_pair_block> blocks;
   std::vector<shaftcull_index_pair> pairs;
   std::vector<std::uint64_t> first_candidate;
   std::vector<std::uint32_t> candidates;
@@ -337,12 +337,12 @@ shaftcull_status shaftcull_visibility(const shaftcull_patches* a, const shaftcul
           of_one_or_two(a, b, [&](const auto&... sets) { return shaftcull::count_visibility(sets..., all, with); }));
       return;
     }
-    std::vector<shaftcull_pair_block> products;
+    std::vector<shaftcull_pair_block> blocks;
     UndecidedInC undecided;
     const SightCounts found = deliver_all(a, b, all, with, [&](const SightBatch& answers) {
-      products.clear();
-      append(products, answers.products, from_block);
-      const shaftcull_sight_batch batch{products.data(), products.size(), undecided.of(answers.undecided)};
+      blocks.clear();
+      append(blocks, answers.blocks, from_block);
+      const shaftcull_sight_batch batch{blocks.data(), blocks.size(), undecided.of(answers.undecided)};
       go_on_if(callback(&batch, user));
     });
     if (counts != nullptr) *counts = from_sights(found);
@@ -362,7 +362,7 @@ shaftcull_status shaftcull_collect_visibility(const shaftcull_patches* a, const 
     collected->first_candidate.push_back(0);
     collected->counts = from_sights(deliver_all(a, b, all, with, [&](const SightBatch& answers) {
       const UndecidedPairs& undecided = answers.undecided;
-      append(collected->products, answers.products, from_block);
+      append(collected->blocks, answers.blocks, from_block);
       append(collected->pairs, undecided.pairs, from_pair);
       const std::size_t before = collected->candidates.size();
       collected->candidates.insert(collected->candidates.end(), undecided.candidates.begin(),
@@ -382,7 +382,7 @@ shaftcull_status shaftcull_visibility_result_describe(const shaftcull_visibility
   return guarded([&] {
     const shaftcull_visibility_result& all = given(result, "result");
     shaftcull_sight_batch& out = given(batch, "batch");
-    out = {all.products.data(), all.products.size(), {all.pairs.data(), all.pairs.size(), nullptr, nullptr}};
+    out = {all.blocks.data(), all.blocks.size(), {all.pairs.data(), all.pairs.size(), nullptr, nullptr}};
     if (all.has_candidates) {
       out.undecided.first_candidate = all.first_candidate.data();
       out.undecided.candidates = all.candidates.data();

@@ -70,12 +70,12 @@ Occluders occluders(Numbers& numbers, Number number) {
 }
 
 void add(const Visibility& answers, Digest& digest) {
-  for (const PairBlock& product : answers.products) {
-    for (const PatchRun& run : {product.a, product.b}) {
+  for (const PairBlock& block : answers.blocks) {
+    for (const PatchRun& run : {block.a, block.b}) {
       digest.add(run.first);
       digest.add(run.count);
     }
-    digest.add(static_cast<std::uint64_t>(product.sight));
+    digest.add(static_cast<std::uint64_t>(block.sight));
   }
   for (const PatchPair& pair : answers.undecided) {
     digest.add(pair.a);

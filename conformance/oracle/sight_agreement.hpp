@@ -62,13 +62,12 @@ class SightTable {
 
   SightTable(const SightCase& of, const Visibility& all) : columns_(of.b.size()), entries_(of.a.size() * columns_) {
     const PatchSet& b = of.scene.is_of_one_set ? of.a : of.b;
-    for (const PairBlock& product : all.products) {
-      if (product.sight == Sight::undecided) fail("a product is undecided");
-      if (product.a.count == 0 || product.b.count == 0) fail("a product is empty");
-      if (of.scene.is_of_one_set && product.a.first + product.a.count > product.b.first) fail("two runs overlap");
-      for (const std::uint32_t i : of.a.order().subspan(product.a.first, product.a.count)) {
-        for (const std::uint32_t j : b.order().subspan(product.b.first, product.b.count))
-          write(i, j).sight = product.sight;
+    for (const PairBlock& block : all.blocks) {
+      if (block.sight == Sight::undecided) fail("a block is undecided");
+      if (block.a.count == 0 || block.b.count == 0) fail("a block is empty");
+      if (of.scene.is_of_one_set && block.a.first + block.a.count > block.b.first) fail("two runs overlap");
+      for (const std::uint32_t i : of.a.order().subspan(block.a.first, block.a.count)) {
+        for (const std::uint32_t j : b.order().subspan(block.b.first, block.b.count)) write(i, j).sight = block.sight;
       }
     }
     for (std::size_t p = 0; p != all.undecided.size(); ++p) {

@@ -272,12 +272,12 @@ class Bake {
     add_one_way(i, j, from_i);
     add_one_way(j, i, from_j);
   }
-  // All pairs of a product.
-  void add(const sc::PairBlock& product) {
+  // All pairs of a block.
+  void add(const sc::PairBlock& block) {
     const auto order = scene_.patches.order();
-    for (std::size_t p = 0; p != product.a.count; ++p) {
-      for (std::size_t q = 0; q != product.b.count; ++q)
-        add(order[product.a.first + p], order[product.b.first + q], 1, 1);
+    for (std::size_t p = 0; p != block.a.count; ++p) {
+      for (std::size_t q = 0; q != block.b.count; ++q)
+        add(order[block.a.first + p], order[block.b.first + q], 1, 1);
     }
   }
   std::vector<double> rows() const {
@@ -306,8 +306,8 @@ class Bake {
 
 std::vector<double> bake(const Scene& scene, const sc::Visibility& sees) {
   Bake bake(scene);
-  for (const sc::PairBlock& product : sees.products) {
-    if (product.sight == sc::Sight::clear) bake.add(product);  // without a ray
+  for (const sc::PairBlock& block : sees.blocks) {
+    if (block.sight == sc::Sight::clear) bake.add(block);  // without a ray
   }
   for (std::size_t p = 0; p != sees.undecided.size(); ++p) {  // the others by rays
     const auto [i, j] = sees.undecided[p];
@@ -335,7 +335,7 @@ std::vector<double> bake_in_passing(const Scene& scene, sc::SightCounts& counts)
       const double from_i = share(scene, i, j, candidates);
       const double from_j = share(scene, j, i, candidates);
       if (from_i == 1 && from_j == 1) {
-        verdict[p] = sc::Sight::clear;  // comes in a product
+        verdict[p] = sc::Sight::clear;  // comes in a block
       } else if (from_i == 0 && from_j == 0) {
         verdict[p] = sc::Sight::occluded;
       } else {
@@ -346,8 +346,8 @@ std::vector<double> bake_in_passing(const Scene& scene, sc::SightCounts& counts)
   counts = sc::visibility(
       scene.patches, scene.occluders,
       [&](const sc::SightBatch& batch) {
-        for (const sc::PairBlock& product : batch.products) {
-          if (product.sight == sc::Sight::clear) bake.add(product);
+        for (const sc::PairBlock& block : batch.blocks) {
+          if (block.sight == sc::Sight::clear) bake.add(block);
         }
       },
       options);
@@ -375,11 +375,11 @@ struct Bit {
 };
 
 template <class Visit>
-void for_each_pair(const Scene& scene, const sc::PairBlock& product, const Visit& visit) {
+void for_each_pair(const Scene& scene, const sc::PairBlock& block, const Visit& visit) {
   const auto order = scene.patches.order();
-  for (std::size_t p = 0; p != product.a.count; ++p) {
-    for (std::size_t q = 0; q != product.b.count; ++q)
-      visit(order[product.a.first + p], order[product.b.first + q]);
+  for (std::size_t p = 0; p != block.a.count; ++p) {
+    for (std::size_t q = 0; q != block.b.count; ++q)
+      visit(order[block.a.first + p], order[block.b.first + q]);
   }
 }
 
@@ -387,9 +387,9 @@ Answers all_answers(const Scene& scene, const sc::Occluders& occluders) {
   Answers answers;
   answers.clear.resize(scene.patches.size() * sc::bit_words(scene.patches.size()));
   sc::visibility(scene.patches, occluders, [&](const sc::SightBatch& batch) {
-    for (const sc::PairBlock& product : batch.products) {
-      if (product.sight != sc::Sight::clear) continue;
-      for_each_pair(scene, product, [&](auto i, auto j) {
+    for (const sc::PairBlock& block : batch.blocks) {
+      if (block.sight != sc::Sight::clear) continue;
+      for_each_pair(scene, block, [&](auto i, auto j) {
         const Bit bit(scene, answers, i, j);
         bit.word |= bit.mask;
       });
@@ -430,9 +430,9 @@ std::vector<sc::PatchPair> comes(const Scene& scene, Answers& answers,
           }
           changed.push_back(pair);
         }
-        for (const sc::PairBlock& product : batch.products) {
-          if (product.sight != sc::Sight::occluded) continue;  // it hides these, if it is solid
-          for_each_pair(scene, product, [&](auto i, auto j) {
+        for (const sc::PairBlock& block : batch.blocks) {
+          if (block.sight != sc::Sight::occluded) continue;  // it hides these, if it is solid
+          for_each_pair(scene, block, [&](auto i, auto j) {
             const Bit bit(scene, answers, i, j);
             bit.word &= ~bit.mask;
             answers.open.erase({i, j});

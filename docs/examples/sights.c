@@ -3,7 +3,7 @@
 #include <stdio.h>
 
 /* [[all]] */
-/* Adds up how many pairs need rays. Products are answers for whole runs of patches. */
+/* Adds up how many pairs need rays. Blocks are answers for whole runs of patches. */
 static int32_t on_batch(const shaftcull_sight_batch* batch, void* user) {
   *(uint64_t*)user += batch->undecided.count; /* pairs, and their candidates, are there, too */
   return 0;                                   /* anything else ends the call */

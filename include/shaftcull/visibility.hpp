@@ -216,8 +216,8 @@ struct UndecidedPairs {
 
 /// Some of the answers. The library owns the memory, which is valid during the callback only.
 struct SightBatch {
-  std::span<const PairBlock> products;  ///< decided pairs
-  UndecidedPairs undecided;             ///< undecided pairs
+  std::span<const PairBlock> blocks;  ///< decided pairs
+  UndecidedPairs undecided;           ///< undecided pairs
 };
 
 /// The number of pairs per answer.
@@ -302,7 +302,7 @@ class SHAFTCULL_EXPORT Cancelled : public std::runtime_error {
 [[nodiscard]] SHAFTCULL_EXPORT SightCounts count_visibility(const PatchSet& patches, const Occluders& occluders,
                                                             const VisibilityOptions& options = {});
 
-/// Delivers every pair exactly once, in calls of deliver(batch): in a pair block of `products`, or as an undecided
+/// Delivers every pair exactly once, in calls of deliver(batch): in a pair block of `blocks`, or as an undecided
 /// pair. Returns the number of pairs delivered with each answer. `resolve` runs before: a pair that it decides is
 /// delivered as a pair block of one pair. If `resolve` or deliver() throws, nothing more is delivered. Costs, memory
 /// and errors are those of count_visibility(). In addition, the call writes 20 bytes per pair block, 16 per undecided
@@ -316,7 +316,7 @@ SHAFTCULL_EXPORT SightCounts visibility(const PatchSet& patches, const Occluders
 
 /// All answers, in memory.
 struct Visibility {
-  std::vector<PairBlock> products;           ///< decided pairs
+  std::vector<PairBlock> blocks;             ///< decided pairs
   std::vector<PatchPair> undecided;          ///< undecided pairs, as in UndecidedPairs
   std::vector<std::size_t> first_candidate;  ///< as in UndecidedPairs
   std::vector<std::uint32_t> candidates;     ///< as in UndecidedPairs

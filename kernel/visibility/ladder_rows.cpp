@@ -16,8 +16,8 @@ bool Ladder::has_planes() const noexcept { return job_.a.tree.has_planes() || jo
 void Ladder::write(const PatchRun& a, const PatchRun& b, Sight sight) {
   const std::uint64_t pairs = std::uint64_t{a.count} * b.count;
   to_->answers.counts.of(sight) += pairs;
-  if (!job_.wants_products) return;
-  to_->answers.products.push_back({a, b, sight});
+  if (!job_.wants_blocks) return;
+  to_->answers.blocks.push_back({a, b, sight});
   tell_if_full();
 }
 
@@ -27,7 +27,7 @@ void Ladder::tell_if_full() const {
 
 void Ladder::decide(const Side& rows, unsigned row, const Side& columns, std::uint64_t which, Sight sight) {
   if (which == 0) return;
-  if (!job_.wants_products && rows.are_patches && columns.are_patches) {
+  if (!job_.wants_blocks && rows.are_patches && columns.are_patches) {
     to_->answers.counts.of(sight) += static_cast<std::uint64_t>(std::popcount(which));
     return;
   }
@@ -177,7 +177,7 @@ void Ladder::write_undecided(const Level& here, const Side& rows, unsigned row, 
   const std::uint32_t a = rows.set.tree.order()[rows.first + row];
   for_each_lane(lanes, [&](unsigned lane) {
     ++answers.counts.undecided;
-    if (job_.wants_places) answers.places.push_back(answers.products.size());
+    if (job_.wants_places) answers.places.push_back(answers.blocks.size());
     answers.undecided.push_back({a, columns.set.tree.order()[columns.first + lane]});
     if (job_.wants_candidates) {
       const Selection& candidates = here.candidates_of_row;

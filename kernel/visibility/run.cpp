@@ -203,8 +203,8 @@ class Run {
   /// Counts and delivers.
   void hand_over(const SightAnswers& answers) {
     counts_ += answers.counts;
-    if (deliver_ == nullptr || (answers.products.empty() && answers.undecided.empty())) return;
-    modes_([&] { (*deliver_)({answers.products, undecided_of(job_, answers)}); });
+    if (deliver_ == nullptr || (answers.blocks.empty() && answers.undecided.empty())) return;
+    modes_([&] { (*deliver_)({answers.blocks, undecided_of(job_, answers)}); });
   }
 
   const Deliver* deliver_;

@@ -11,7 +11,7 @@ std::uint64_t SightJob::pairs(std::uint32_t a_group, std::uint32_t b_group) cons
 
 void SightAnswers::clear() noexcept {
   counts = {};
-  products.clear();
+  blocks.clear();
   undecided.clear();
   first_candidate.resize(1);
   candidates.clear();
@@ -19,13 +19,13 @@ void SightAnswers::clear() noexcept {
 }
 
 std::size_t SightAnswers::memory_bytes() const noexcept {
-  return products.size() * sizeof(products[0]) + undecided.size() * sizeof(undecided[0]) +
+  return blocks.size() * sizeof(blocks[0]) + undecided.size() * sizeof(undecided[0]) +
          first_candidate.size() * sizeof(first_candidate[0]) + candidates.size() * sizeof(candidates[0]) +
          places.size() * sizeof(places[0]);
 }
 
 std::size_t SightAnswers::held_bytes() const noexcept {
-  return products.capacity() * sizeof(products[0]) + undecided.capacity() * sizeof(undecided[0]) +
+  return blocks.capacity() * sizeof(blocks[0]) + undecided.capacity() * sizeof(undecided[0]) +
          first_candidate.capacity() * sizeof(first_candidate[0]) + candidates.capacity() * sizeof(candidates[0]) +
          places.capacity() * sizeof(places[0]);
 }

@@ -29,10 +29,10 @@ struct SightJob {
   const SiblingKernels& kernels;
   Contact contact;
   bool solids_around_ends;
-  bool wants_products;    ///< else decided pairs are counted only
+  bool wants_blocks;      ///< else decided pairs are counted only
   bool wants_undecided;   ///< likewise
   bool wants_candidates;  ///< of undecided pairs
-  bool wants_places;      ///< of undecided pairs among products
+  bool wants_places;      ///< of undecided pairs among blocks
 
   /// How many pairs the product of two groups has.
   [[nodiscard]] std::uint64_t pairs(std::uint32_t a_group, std::uint32_t b_group) const noexcept;
@@ -57,11 +57,11 @@ struct PairBlockTask {
 /// Answers as they are found.
 struct SightAnswers {
   SightCounts counts;
-  std::vector<PairBlock> products;
+  std::vector<PairBlock> blocks;
   std::vector<PatchPair> undecided;
   std::vector<std::size_t> first_candidate{0};
   std::vector<std::uint32_t> candidates;
-  std::vector<std::size_t> places;  ///< of each undecided pair, how many products were found before it
+  std::vector<std::size_t> places;  ///< of each undecided pair, how many blocks were found before it
 
   void clear() noexcept;
   /// Bytes of what was found.

@@ -43,14 +43,14 @@ void Verdicts::resolve(SightAnswers& answers) const {
   apply(verdict, answers);
 }
 
-/// Products are put where their pairs were found, so that it does not matter where a part of the answers ends.
+/// Blocks are put where their pairs were found, so that it does not matter where a part of the answers ends.
 void Verdicts::apply(std::span<const Sight> verdict, SightAnswers& answers) const {
-  std::vector<PairBlock> products;
-  if (job_.wants_products) products.reserve(answers.products.size() + verdict.size());
+  std::vector<PairBlock> blocks;
+  if (job_.wants_blocks) blocks.reserve(answers.blocks.size() + verdict.size());
   std::size_t taken = 0;
   const auto take = [&](std::size_t end) {
-    const auto at = [&](std::size_t i) { return answers.products.begin() + static_cast<std::ptrdiff_t>(i); };
-    products.insert(products.end(), at(taken), at(end));
+    const auto at = [&](std::size_t i) { return answers.blocks.begin() + static_cast<std::ptrdiff_t>(i); };
+    blocks.insert(blocks.end(), at(taken), at(end));
     taken = end;
   };
   std::size_t left = 0;
@@ -68,12 +68,12 @@ void Verdicts::apply(std::span<const Sight> verdict, SightAnswers& answers) cons
     }
     --answers.counts.undecided;
     ++answers.counts.of(verdict[i]);
-    if (!job_.wants_products) continue;
+    if (!job_.wants_blocks) continue;
     take(answers.places[i]);
-    products.push_back({{a_place_[pair.a], 1}, {b_place_[pair.b], 1}, verdict[i]});
+    blocks.push_back({{a_place_[pair.a], 1}, {b_place_[pair.b], 1}, verdict[i]});
   }
-  take(answers.products.size());
-  answers.products = std::move(products);
+  take(answers.blocks.size());
+  answers.blocks = std::move(blocks);
   answers.undecided.resize(left);
   if (!job_.wants_candidates) return;
   answers.first_candidate.resize(left + 1);

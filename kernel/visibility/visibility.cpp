@@ -22,7 +22,7 @@ Visibility collect(const PatchSet& a, const PatchSet& b, bool is_of_one_set, con
   all.first_candidate.push_back(0);
   const auto append = [&](const SightBatch& batch) {
     const UndecidedPairs& undecided = batch.undecided;
-    all.products.insert(all.products.end(), batch.products.begin(), batch.products.end());
+    all.blocks.insert(all.blocks.end(), batch.blocks.begin(), batch.blocks.end());
     all.undecided.insert(all.undecided.end(), undecided.pairs.begin(), undecided.pairs.end());
     const std::size_t before = all.candidates.size();
     all.candidates.insert(all.candidates.end(), undecided.candidates.begin(), undecided.candidates.end());
@@ -48,10 +48,10 @@ SightCounts write_bits(const PatchSet& a, const PatchSet& b, bool is_of_one_set,
     if (is_of_one_set) set(j, i);
   };
   const auto write = [&](const SightBatch& batch) {
-    for (const PairBlock& product : batch.products) {
-      if (product.sight != sight) continue;
-      for (const std::uint32_t i : a.order().subspan(product.a.first, product.a.count)) {
-        for (const std::uint32_t j : b.order().subspan(product.b.first, product.b.count)) set_pair(i, j);
+    for (const PairBlock& block : batch.blocks) {
+      if (block.sight != sight) continue;
+      for (const std::uint32_t i : a.order().subspan(block.a.first, block.a.count)) {
+        for (const std::uint32_t j : b.order().subspan(block.b.first, block.b.count)) set_pair(i, j);
       }
     }
     if (sight != Sight::undecided) return;

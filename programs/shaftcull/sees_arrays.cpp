@@ -29,7 +29,7 @@ SceneArray made_array(NpyFormat format, std::size_t rows, RowOf row_of) {
 }  // namespace
 
 std::vector<AnswerArray> answer_arrays(const SightContent& content) {
-  std::vector<AnswerArray> arrays{{AnswerKind::products, {"products", "<u4", {5}}},
+  std::vector<AnswerArray> arrays{{AnswerKind::blocks, {"blocks", "<u4", {5}}},
                                   {AnswerKind::undecided, {"undecided", "<u4", {2}}}};
   if (content.rays != 0) arrays.push_back({AnswerKind::seen, {"seen", "<u4"}});
   if (content.candidates) {

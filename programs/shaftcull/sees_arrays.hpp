@@ -14,7 +14,7 @@
 namespace shaftcull::cli {
 
 /// What an array of answers holds.
-enum class AnswerKind : std::uint8_t { products, undecided, seen, first_candidate, candidates };
+enum class AnswerKind : std::uint8_t { blocks, undecided, seen, first_candidate, candidates };
 struct AnswerArray {
   AnswerKind kind;
   NpyFormat format;

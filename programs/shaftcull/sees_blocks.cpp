@@ -74,16 +74,16 @@ SightCounts SeesBlocks::count(std::size_t unit, const Occluders& occluders, cons
 SightCounts SeesBlocks::answer(std::size_t unit, const Occluders& occluders,
                                FunctionRef<void(const SightBatch&)> deliver, const VisibilityOptions& options) const {
   const auto [i, j] = units_[unit];
-  std::vector<PairBlock> products;
+  std::vector<PairBlock> blocks;
   std::vector<PatchPair> pairs;
   const auto deliver_translated = [&](const SightBatch& batch) {
-    products.assign(batch.products.begin(), batch.products.end());
-    for (PairBlock& product : products) {
-      product.a.first += blocks_[units_[unit].first].first;
-      product.b.first += blocks_[units_[unit].second].first;
+    blocks.assign(batch.blocks.begin(), batch.blocks.end());
+    for (PairBlock& block : blocks) {
+      block.a.first += blocks_[units_[unit].first].first;
+      block.b.first += blocks_[units_[unit].second].first;
     }
     translate(unit, batch.undecided.pairs, pairs);
-    deliver({products, {pairs, batch.undecided.first_candidate, batch.undecided.candidates}});
+    deliver({blocks, {pairs, batch.undecided.first_candidate, batch.undecided.candidates}});
   };
   const VisibilityOptions own = translated(unit, options);
   return i == j ? visibility(blocks_[i].set, occluders, deliver_translated, own)

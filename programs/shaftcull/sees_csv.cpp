@@ -37,15 +37,15 @@ void require_no_candidates(const std::string& path, const SightContent& content)
 std::string_view csv_heading(std::uint32_t rays) { return rays != 0 ? "a,b,sight,seen\n" : "a,b,sight\n"; }
 
 void CsvLines::take(const SightBatch& batch, std::span<const std::uint32_t> seen) {
-  for (const PairBlock& product : batch.products) {
+  for (const PairBlock& block : batch.blocks) {
     // What follows the first patch of a line is the same for each of them.
     rests_.clear();
     rest_ends_.clear();
-    for (const std::uint32_t b : order_.subspan(product.b.first, product.b.count)) {
-      fmt::format_to(std::back_inserter(rests_), ",{},{}{}\n", b, name(product.sight), has_rays_ ? "," : "");
+    for (const std::uint32_t b : order_.subspan(block.b.first, block.b.count)) {
+      fmt::format_to(std::back_inserter(rests_), ",{},{}{}\n", b, name(block.sight), has_rays_ ? "," : "");
       rest_ends_.push_back(rests_.size());
     }
-    for (const std::uint32_t a : order_.subspan(product.a.first, product.a.count)) {
+    for (const std::uint32_t a : order_.subspan(block.a.first, block.a.count)) {
       const fmt::format_int digits(a);
       std::size_t begin = 0;
       for (const std::size_t end : rest_ends_) {
@@ -80,10 +80,10 @@ void CsvLength::take(const SightBatch& batch, std::span<const std::uint32_t> see
     for (const std::uint32_t patch : order_.subspan(run.first, run.count)) digits += digits_of(patch);
     return digits;
   };
-  for (const PairBlock& product : batch.products) {
-    const std::uint64_t lines = std::uint64_t{product.a.count} * product.b.count;
-    certain_ += digits_in(product.a) * product.b.count + digits_in(product.b) * product.a.count +
-                lines * (std::string_view(name(product.sight)).size() + separators);
+  for (const PairBlock& block : batch.blocks) {
+    const std::uint64_t lines = std::uint64_t{block.a.count} * block.b.count;
+    certain_ += digits_in(block.a) * block.b.count + digits_in(block.b) * block.a.count +
+                lines * (std::string_view(name(block.sight)).size() + separators);
   }
   const std::uint64_t rest = std::string_view(name(Sight::undecided)).size() + separators;
   for (std::size_t i = 0; i < batch.undecided.pairs.size(); ++i) {

@@ -46,11 +46,11 @@ class CsvLines final : public SightSink {
   Write certain_;
   Write undecided_;
   std::string text_;
-  std::string rests_;  ///< of lines of a product, one for each patch of its second run
+  std::string rests_;  ///< of lines of a block, one for each patch of its second run
   std::vector<std::size_t> rest_ends_;
 };
 
-/// How many bytes the lines have that CsvLines makes. Does not make them: a product takes as long as it has patches,
+/// How many bytes the lines have that CsvLines makes. Does not make them: a block takes as long as it has patches,
 /// not pairs.
 class CsvLength final : public SightSink {
  public:

@@ -57,7 +57,7 @@ double elapsed(Clock::time_point begin) { return std::chrono::duration<double>(C
 struct Sample {
   std::uint64_t pairs = 0;
   double seconds = 0;
-  std::uint64_t products = 0;
+  std::uint64_t blocks = 0;
   std::uint64_t undecided = 0;
   std::uint64_t candidates = 0;
 };
@@ -81,7 +81,7 @@ class Sampler {
     const auto begin = Clock::now();
     if (delivers) {
       const auto take = [&](const SightBatch& batch) {
-        sample.products += batch.products.size();
+        sample.blocks += batch.blocks.size();
         sample.undecided += batch.undecided.pairs.size();
         sample.candidates += batch.undecided.candidates.size();
         if (work_.content.rays != 0 && !some_) some_ = batch_of(batch.undecided);
@@ -142,7 +142,7 @@ double bytes_of(const Sample& sample, double pairs, std::size_t patches, const S
   const double undecided = static_cast<double>(sample.undecided) *
                            (8.0 + (work.content.rays != 0 ? 4 : 0) + (work.content.candidates ? 8 : 0));
   const double candidates = work.content.candidates ? 4.0 * static_cast<double>(sample.candidates) : 0;
-  return patch * static_cast<double>(patches) + (20.0 * static_cast<double>(sample.products) + undecided + candidates) *
+  return patch * static_cast<double>(patches) + (20.0 * static_cast<double>(sample.blocks) + undecided + candidates) *
                                                     pairs / static_cast<double>(sample.pairs);
 }
 

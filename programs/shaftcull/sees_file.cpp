@@ -32,16 +32,16 @@ class NpzSights final : public SightSink {
 
   void take(const SightBatch& batch, std::span<const std::uint32_t> seen) override {
     rows_.clear();
-    for (const PairBlock& product : batch.products) {
-      rows_.push_back({product.a.first, product.a.count, product.b.first, product.b.count,
-                       static_cast<std::uint32_t>(product.sight)});
+    for (const PairBlock& block : batch.blocks) {
+      rows_.push_back(
+          {block.a.first, block.a.count, block.b.first, block.b.count, static_cast<std::uint32_t>(block.sight)});
     }
     ends_.clear();
     for (const std::size_t end : ends_of(batch.undecided)) ends_.push_back(candidate_count_ + end);
     candidate_count_ += batch.undecided.candidates.size();
     for (const auto& [kind, array] : arrays_) {
       switch (kind) {
-        case AnswerKind::products:
+        case AnswerKind::blocks:
           array->append(std::span<const ProductRow>(rows_));
           break;
         case AnswerKind::undecided:

@@ -49,10 +49,10 @@ std::vector<std::array<std::uint32_t, 2>> ObjectSights::objects_of(const PatchRu
 }
 
 void ObjectSights::take(const SightBatch& batch, std::span<const std::uint32_t> seen) {
-  for (const PairBlock& product : batch.products) {
-    const auto sight = static_cast<std::size_t>(product.sight);
-    const auto of_a = objects_of(product.a);
-    if (product.a.first == product.b.first && product.a.count == product.b.count) {
+  for (const PairBlock& block : batch.blocks) {
+    const auto sight = static_cast<std::size_t>(block.sight);
+    const auto of_a = objects_of(block.a);
+    if (block.a.first == block.b.first && block.a.count == block.b.count) {
       for (std::size_t i = 0; i < of_a.size(); ++i) {
         const auto [object, count] = of_a[i];
         row(object, object)[sight] += std::uint64_t{count} * (count - 1) / 2;
@@ -60,7 +60,7 @@ void ObjectSights::take(const SightBatch& batch, std::span<const std::uint32_t> 
       }
       continue;
     }
-    const auto of_b = objects_of(product.b);
+    const auto of_b = objects_of(block.b);
     for (const auto& [a, count_a] : of_a) {
       for (const auto& [b, count_b] : of_b) row(a, b)[sight] += std::uint64_t{count_a} * count_b;
     }

@@ -101,8 +101,8 @@ class NpzPlaces final : public SightPlaces {
   /// What a unit puts into an array of answers, `first_candidate` without candidates of units before.
   [[nodiscard]] std::span<const std::byte> rows_of(const UnitAnswer& answer, std::size_t array) const {
     switch (answers_[array].kind) {
-      case AnswerKind::products:
-        return std::as_bytes(std::span(answer.products));
+      case AnswerKind::blocks:
+        return std::as_bytes(std::span(answer.blocks));
       case AnswerKind::undecided:
         return std::as_bytes(std::span(answer.undecided));
       case AnswerKind::seen:

@@ -68,10 +68,10 @@ class UnitKeeper final : public SightSink {
   explicit UnitKeeper(UnitAnswer& answer) : answer_(answer) {}
 
   void take(const SightBatch& batch, std::span<const std::uint32_t> seen) override {
-    for (const PairBlock& product : batch.products) {
-      for (const std::uint32_t n : {product.a.first, product.a.count, product.b.first, product.b.count,
-                                    static_cast<std::uint32_t>(product.sight)}) {
-        answer_.products.push_back(n);
+    for (const PairBlock& block : batch.blocks) {
+      for (const std::uint32_t n :
+           {block.a.first, block.a.count, block.b.first, block.b.count, static_cast<std::uint32_t>(block.sight)}) {
+        answer_.blocks.push_back(n);
       }
     }
     const UndecidedPairs& undecided = batch.undecided;
@@ -183,17 +183,17 @@ UnitAnswer answer_of(UnitQuestion& question, std::size_t unit) {
 SeesCounts hand_over(const UnitAnswer& answer, std::span<SightSink* const> sinks) {
   const SeesCounts counts = SeesCounts::of(std::span(answer.counts).first<7>());
   if (sinks.empty()) return counts;
-  std::vector<PairBlock> products;
-  for (std::size_t i = 0; i < answer.products.size(); i += 5) {
-    const std::uint32_t* const row = &answer.products[i];
-    products.push_back({{row[0], row[1]}, {row[2], row[3]}, static_cast<Sight>(row[4])});
+  std::vector<PairBlock> blocks;
+  for (std::size_t i = 0; i < answer.blocks.size(); i += 5) {
+    const std::uint32_t* const row = &answer.blocks[i];
+    blocks.push_back({{row[0], row[1]}, {row[2], row[3]}, static_cast<Sight>(row[4])});
   }
   std::vector<std::size_t> first_candidate;
   if (!answer.ends.empty()) {
     first_candidate.push_back(0);
     first_candidate.insert(first_candidate.end(), answer.ends.begin(), answer.ends.end());
   }
-  const SightBatch batch{products, {answer.undecided, first_candidate, answer.candidates}};
+  const SightBatch batch{blocks, {answer.undecided, first_candidate, answer.candidates}};
   for (SightSink* const sink : sinks) sink->take(batch, answer.seen);
   return counts;
 }
@@ -205,10 +205,10 @@ void SeenShares::take(const SightBatch& batch, std::span<const std::uint32_t> se
   const auto add = [&](const PatchRun& run, std::uint32_t others) {
     for (const std::uint32_t patch : order_.subspan(run.first, run.count)) sums_[patch] += most_ * others;
   };
-  for (const PairBlock& product : batch.products) {
-    if (product.sight != Sight::clear) continue;
-    add(product.a, product.b.count);
-    add(product.b, product.a.count);
+  for (const PairBlock& block : batch.blocks) {
+    if (block.sight != Sight::clear) continue;
+    add(block.a, block.b.count);
+    add(block.b, block.a.count);
   }
   for (std::size_t i = 0; i < batch.undecided.pairs.size(); ++i) {
     const auto [a, b] = batch.undecided.pairs[i];

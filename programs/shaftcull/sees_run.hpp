@@ -83,7 +83,7 @@ class SummingSink : public SightSink {
 /// The answers of one unit, as they are kept until those of others are there.
 struct UnitAnswer {
   std::vector<std::uint64_t> counts;      ///< SeesCounts::Numbers
-  std::vector<std::uint32_t> products;    ///< five a product: runs of two patches, and what they see
+  std::vector<std::uint32_t> blocks;      ///< five a block: runs of two patches, and what they see
   std::vector<PatchPair> undecided;       ///< pairs
   std::vector<std::uint64_t> ends;        ///< of each pair, where its candidates end; empty unless they are wanted
   std::vector<std::uint32_t> candidates;  ///< of all pairs
@@ -92,7 +92,7 @@ struct UnitAnswer {
   /// As batch::BlockStore wants them.
   template <class Self>
   [[nodiscard]] static auto arrays(Self& self) {
-    return std::tie(self.counts, self.products, self.undecided, self.ends, self.candidates, self.seen);
+    return std::tie(self.counts, self.blocks, self.undecided, self.ends, self.candidates, self.seen);
   }
 };
 

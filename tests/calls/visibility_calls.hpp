@@ -27,12 +27,12 @@ struct SightWorkload {
 
 /// Notes all answers to pairs.
 inline void note_visibility(AnswerWords& words, const Visibility& all) {
-  for (const PairBlock& product : all.products) {
-    for (const PatchRun& run : {product.a, product.b}) {
+  for (const PairBlock& block : all.blocks) {
+    for (const PatchRun& run : {block.a, block.b}) {
       note(words, run.first);
       note(words, run.count);
     }
-    note(words, product.sight);
+    note(words, block.sight);
   }
   for (const PatchPair& pair : all.undecided) {
     note(words, pair.a);

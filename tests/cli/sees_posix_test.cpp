@@ -34,13 +34,13 @@ import json, sys, zipfile
 import numpy
 assert zipfile.ZipFile(sys.argv[1]).testzip() is None
 z = numpy.load(sys.argv[1])
-order, products, undecided = z['order'], z['products'], z['undecided']
+order, blocks, undecided = z['order'], z['blocks'], z['undecided']
 first, candidates, seen, rays = z['first_candidate'], z['candidates'], z['seen'], z['rays'][0]
 patches, occluders = len(z['patch_boxes']), len(z['occluder_boxes'])
 assert sorted(order) == list(range(patches))
 dense = numpy.zeros((patches, patches), int)
 answer = numpy.zeros((patches, patches), int)
-for a, count_a, b, count_b, sight in products:
+for a, count_a, b, count_b, sight in blocks:
     rows, columns = order[a:a + count_a], order[b:b + count_b]
     dense[numpy.ix_(rows, columns)] += 1
     answer[numpy.ix_(rows, columns)] = sight

@@ -56,7 +56,7 @@ const sc::Occluders occluders = [] {
 }();
 std::uint64_t delivered = 0;
 const auto deliver = [](const sc::SightBatch& batch) {
-  for (const sc::PairBlock& product : batch.products) delivered += product.a.count * product.b.count;
+  for (const sc::PairBlock& block : batch.blocks) delivered += block.a.count * block.b.count;
   delivered += batch.undecided.pairs.size();
 };
 constexpr std::uint32_t me = 0;

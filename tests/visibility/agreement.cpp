@@ -80,7 +80,7 @@ void expect_right(SightScenery scenery, std::uint64_t seeds, unsigned most_patch
         is_first = false;
         return;
       }
-      EXPECT_EQ(all.products, first.products);
+      EXPECT_EQ(all.blocks, first.blocks);
       EXPECT_EQ(all.undecided, first.undecided);
       EXPECT_EQ(all.candidates, first.candidates);
     });

@@ -50,7 +50,7 @@ SightCase large_case(bool is_of_one_set, unsigned patches, SightScenery scenery 
 
 /// Batches, as they came.
 struct Batches {
-  std::vector<std::vector<PairBlock>> products;
+  std::vector<std::vector<PairBlock>> blocks;
   std::vector<std::vector<PatchPair>> undecided;
   std::vector<std::vector<std::size_t>> first_candidate;
   std::vector<std::vector<std::uint32_t>> candidates;
@@ -62,7 +62,7 @@ Batches batches_of(const SightCase& of, const VisibilityOptions& options) {
   Batches all;
   all.counts = of.deliver(
       [&](const SightBatch& batch) {
-        all.products.emplace_back(batch.products.begin(), batch.products.end());
+        all.blocks.emplace_back(batch.blocks.begin(), batch.blocks.end());
         const UndecidedPairs& undecided = batch.undecided;
         all.undecided.emplace_back(undecided.pairs.begin(), undecided.pairs.end());
         all.first_candidate.emplace_back(undecided.first_candidate.begin(), undecided.first_candidate.end());
@@ -73,7 +73,7 @@ Batches batches_of(const SightCase& of, const VisibilityOptions& options) {
 }
 
 void expect_same(const Visibility& a, const Visibility& b) {
-  EXPECT_EQ(a.products, b.products);
+  EXPECT_EQ(a.blocks, b.blocks);
   EXPECT_EQ(a.undecided, b.undecided);
   EXPECT_EQ(a.first_candidate, b.first_candidate);
   EXPECT_EQ(a.candidates, b.candidates);
@@ -85,7 +85,7 @@ TEST(VisibilityBatches, AreTheSameForAnyNumberOfThreads) {
     const SightCase of = large_case(is_of_one_set, has_shadow_memory ? 800 : 1200);
     Batches one;
     with_threads(1, [&] { one = batches_of(of, of.options); });
-    EXPECT_GT(one.products.size(), 2U);
+    EXPECT_GT(one.blocks.size(), 2U);
     for (const int threads : {2, 3}) {
       with_threads(threads, [&] { EXPECT_EQ(batches_of(of, of.options), one) << threads << " threads"; });
     }
@@ -112,7 +112,7 @@ TEST(VisibilityBatches, HaveTheSameAnswersWhateverTheMemory) {
     VisibilityOptions without = of.options;
     without.candidates = false;
     const Visibility bare = of.collect(without);
-    EXPECT_EQ(bare.products, all.products);
+    EXPECT_EQ(bare.blocks, all.blocks);
     EXPECT_EQ(bare.undecided, all.undecided);
     EXPECT_TRUE(bare.first_candidate.empty());
     EXPECT_TRUE(bare.candidates.empty());
@@ -218,7 +218,7 @@ TEST(VisibilityBatches, ResolvedPairsAreWhatTheUserSays) {
         for (const int threads : {1, 16}) {
           with_threads(threads, [&] { expect_same(of.collect(options), after); });
         }
-        if (one.products.empty()) one = after;
+        if (one.blocks.empty()) one = after;
         expect_same(after, one);  // whatever the memory
         EXPECT_EQ(of.count(options), after.counts);
         std::vector<std::uint64_t> bits(of.a.size() * bit_words(of.b.size()));

@@ -189,7 +189,7 @@ TEST(VisibilityOfCorners, PolygonsThatAreTheirBoxesAreAnsweredAsBoxesWithPlanes)
   const Visibility expected = collect_visibility(with_planes, walls.occluders());
   const Visibility all = collect_visibility(polygons, walls.occluders());
   EXPECT_EQ(all.counts, expected.counts);
-  EXPECT_EQ(all.products, expected.products);
+  EXPECT_EQ(all.blocks, expected.blocks);
   EXPECT_EQ(all.undecided, expected.undecided);
   EXPECT_EQ(all.candidates, expected.candidates);
 }

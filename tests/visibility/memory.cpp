@@ -84,7 +84,7 @@ Taken taken_by(int threads, const PatchSet& a, const PatchSet& b, const Occluder
   with_threads(threads, [&] {
     const auto note = [&](const SightBatch& batch) {
       const UndecidedPairs& undecided = batch.undecided;
-      const std::size_t bytes = batch.products.size_bytes() + undecided.pairs.size_bytes() +
+      const std::size_t bytes = batch.blocks.size_bytes() + undecided.pairs.size_bytes() +
                                 undecided.first_candidate.size_bytes() + undecided.candidates.size_bytes();
       taken.bytes += bytes;
       taken.largest = std::max(taken.largest, bytes);

@@ -1070,9 +1070,9 @@ typedef struct sights_told {
 
 static int32_t on_sights(const shaftcull_sight_batch* batch, void* user) {
   sights_told* const told = user;
-  for (uint64_t i = 0; i != batch->product_count; ++i) {
-    CHECK(batch->products[i].sight != SHAFTCULL_SIGHT_UNDECIDED);
-    told->pairs += (uint64_t)batch->products[i].a.count * batch->products[i].b.count;
+  for (uint64_t i = 0; i != batch->block_count; ++i) {
+    CHECK(batch->blocks[i].sight != SHAFTCULL_SIGHT_UNDECIDED);
+    told->pairs += (uint64_t)batch->blocks[i].a.count * batch->blocks[i].b.count;
   }
   told->undecided += batch->undecided.count;
   return told->returns;
@@ -1225,7 +1225,7 @@ static void visibility(void) {
   shaftcull_sight_batch all;
   OK(shaftcull_collect_visibility(a, b, occluders, &options, &result));
   OK(shaftcull_visibility_result_describe(result, &all, &counts));
-  CHECK(counts.occluded == 4 && all.undecided.count == 1 && all.product_count != 0);
+  CHECK(counts.occluded == 4 && all.undecided.count == 1 && all.block_count != 0);
   CHECK(all.undecided.first_candidate[0] == 0 && all.undecided.candidates[0] < 7);
   REFUSED(shaftcull_visibility_result_describe(NULL, &all, &counts), "result is NULL");
   REFUSED(shaftcull_visibility_result_describe(result, NULL, &counts), "batch is NULL");

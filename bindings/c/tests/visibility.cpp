@@ -124,12 +124,12 @@ void expect_equal(const shaftcull_sight_counts& c, const SightCounts& cpp) {
 }
 
 void expect_equal(const shaftcull_sight_batch& c, const Visibility& cpp) {
-  ASSERT_EQ(c.product_count, cpp.products.size());
-  for (std::size_t i = 0; i != cpp.products.size(); ++i) {
-    const shaftcull_pair_block& block = c.products[i];
+  ASSERT_EQ(c.block_count, cpp.blocks.size());
+  for (std::size_t i = 0; i != cpp.blocks.size(); ++i) {
+    const shaftcull_pair_block& block = c.blocks[i];
     EXPECT_EQ(
         (PairBlock{{block.a.first, block.a.count}, {block.b.first, block.b.count}, static_cast<Sight>(block.sight)}),
-        cpp.products[i]);
+        cpp.blocks[i]);
   }
   ASSERT_EQ(c.undecided.count, cpp.undecided.size());
   for (std::size_t i = 0; i != cpp.undecided.size(); ++i) {
@@ -247,8 +247,8 @@ TEST(CVisibility, IsResolvedAndDeliveredAsInCpp) {
       [](const shaftcull_sight_batch* batch, void* user) -> std::int32_t {
         auto& sum = *static_cast<SightCounts*>(user);
         sum.undecided += batch->undecided.count;
-        for (std::size_t i = 0; i != batch->product_count; ++i) {
-          const shaftcull_pair_block& block = batch->products[i];
+        for (std::size_t i = 0; i != batch->block_count; ++i) {
+          const shaftcull_pair_block& block = batch->blocks[i];
           const std::uint64_t pairs = std::uint64_t{block.a.count} * block.b.count;
           (block.sight == SHAFTCULL_SIGHT_CLEAR      ? sum.clear
            : block.sight == SHAFTCULL_SIGHT_OCCLUDED ? sum.occluded

@@ -900,20 +900,20 @@ class Occluders:
         """
 
 class Visibility:
-    """The answers of visibility() for all pairs. pairs() and bits() give the pairs of one kind; `products` and
+    """The answers of visibility() for all pairs. pairs() and bits() give the pairs of one kind; `blocks` and
     `undecided` are the same pairs in less memory. Arrays are read-only, and keep the Visibility alive.
     """
     @property
     def counts(self) -> dict[str, int]:
         """How many pairs are 'undecided', 'clear', 'occluded' and 'facing_away': a dict of int."""
     @property
-    def products(self) -> npt.NDArray[np.uint32]:
+    def blocks(self) -> npt.NDArray[np.uint32]:
         """Pairs that are decided, in blocks: uint32 (p, 4). A row is first_a, count_a, first_b, count_b: each patch of
         order_a[first_a:first_a + count_a] with each of order_b[first_b:first_b + count_b] is as `sights` says.
         """
     @property
     def sights(self) -> npt.NDArray[np.uint8]:
-        """The kind of all pairs of each product: uint8 (p,): 1 clear, 2 occluded, 3 facing_away."""
+        """The kind of all pairs of each pair block: uint8 (p,): 1 clear, 2 occluded, 3 facing_away."""
     @property
     def undecided(self) -> npt.NDArray[np.uint32]:
         """Pairs that are undecided: uint32 (n, 2), indices of patches."""
@@ -924,7 +924,7 @@ class Visibility:
         """
     @property
     def order_a(self) -> npt.NDArray[np.uint32]:
-        """The order that products refer to: uint32 (a,), indices of patches. A copy."""
+        """The order that pair blocks refer to: uint32 (a,), indices of patches. A copy."""
     @property
     def order_b(self) -> npt.NDArray[np.uint32]:
         """The same of patches_b: uint32 (b,); for one set with itself it is order_a."""
@@ -966,7 +966,7 @@ def visibility(
 ) -> Visibility:
     """Which patches see each other. Of every pair: whether nothing stands between ('clear'), one solid hides all
     ('occluded'), one lies behind the plane of the other ('facing_away'), or none of these ('undecided'). All
-    are exact for the float32 given. Returns a Visibility, which takes 20 bytes for each product, 16 for each
+    are exact for the float32 given. Returns a Visibility, which takes 20 bytes for each pair block, 16 for each
     undecided pair, and 4 for each candidate.
 
     patches, patches_b: boxes, float32 (n, 6), corners, float32 (n, k, 3), or Patches. Without patches_b, each two

@@ -103,10 +103,10 @@ struct Sights {
   /// Calls use(i, j) for each pair of a kind, by the user's indices.
   template <class Use>
   void for_each(Sight sight, Use&& use) const {
-    for (const PairBlock& product : all.products) {
-      if (product.sight != sight) continue;
-      for (const std::uint32_t i : asked.a.order().subspan(product.a.first, product.a.count)) {
-        for (const std::uint32_t j : asked.b.order().subspan(product.b.first, product.b.count)) use(i, j);
+    for (const PairBlock& block : all.blocks) {
+      if (block.sight != sight) continue;
+      for (const std::uint32_t i : asked.a.order().subspan(block.a.first, block.a.count)) {
+        for (const std::uint32_t j : asked.b.order().subspan(block.b.first, block.b.count)) use(i, j);
       }
     }
     if (sight != Sight::undecided) return;
@@ -166,15 +166,15 @@ const Visibility& found_in(const py::object& self) { return self.cast<const Sigh
 
 void add_sights(py::module_& module) {
   py::class_<Sights>(module, "Visibility", R"(
-The answers of visibility() for all pairs. pairs() and bits() give the pairs of one kind; `products` and
+The answers of visibility() for all pairs. pairs() and bits() give the pairs of one kind; `blocks` and
 `undecided` are the same pairs in less memory. Arrays are read-only, and keep the Visibility alive.)")
       .def_property_readonly(
           "counts", [](const Sights& self) { return counts_of(self.all.counts); },
           "How many pairs are 'undecided', 'clear', 'occluded' and 'facing_away': a dict of int.")
       .def_property_readonly(
-          "products",
+          "blocks",
           [](const py::object& self) {
-            return seen_in<std::uint32_t>(self, found_in(self).products, offsetof(PairBlock, a), 4);
+            return seen_in<std::uint32_t>(self, found_in(self).blocks, offsetof(PairBlock, a), 4);
           },
           R"(
 Pairs that are decided, in blocks: uint32 (p, 4). A row is first_a, count_a, first_b, count_b: each patch of
@@ -182,9 +182,9 @@ order_a[first_a:first_a + count_a] with each of order_b[first_b:first_b + count_
       .def_property_readonly(
           "sights",
           [](const py::object& self) {
-            return seen_in<std::uint8_t>(self, found_in(self).products, offsetof(PairBlock, sight));
+            return seen_in<std::uint8_t>(self, found_in(self).blocks, offsetof(PairBlock, sight));
           },
-          "The kind of all pairs of each product: uint8 (p,): 1 clear, 2 occluded, 3 facing_away.")
+          "The kind of all pairs of each pair block: uint8 (p,): 1 clear, 2 occluded, 3 facing_away.")
       .def_property_readonly(
           "undecided",
           [](const py::object& self) { return seen_in<std::uint32_t>(self, found_in(self).undecided, 0, 2); },
@@ -201,7 +201,7 @@ The candidates of each undecided pair, which are the occluders that reach betwee
 n lists, whose numbers ascend; or None, if there are no candidates.)")
       .def_property_readonly(
           "order_a", [](const Sights& self) { return copy_of(self.asked.a.order()); },
-          "The order that products refer to: uint32 (a,), indices of patches. A copy.")
+          "The order that pair blocks refer to: uint32 (a,), indices of patches. A copy.")
       .def_property_readonly(
           "order_b", [](const Sights& self) { return copy_of(self.asked.b.order()); },
           "The same of patches_b: uint32 (b,); for one set with itself it is order_a.")
@@ -292,7 +292,7 @@ void add_visibility(py::module_& module) {
       R"(
 Which patches see each other. Of every pair: whether nothing stands between ('clear'), one solid hides all
 ('occluded'), one lies behind the plane of the other ('facing_away'), or none of these ('undecided'). All
-are exact for the float32 given. Returns a Visibility, which takes 20 bytes for each product, 16 for each
+are exact for the float32 given. Returns a Visibility, which takes 20 bytes for each pair block, 16 for each
 undecided pair, and 4 for each candidate.)",
       R"(
 candidates: whether undecided pairs come with candidates, the occluders that reach between.)",

@@ -128,12 +128,12 @@ def test_pairs_are_what_the_definition_says():
 def test_products_orders_and_bits_are_of_the_same_pairs():
     a, b = some_boxes(1, 70), some_boxes(2, 65)
     found = sc.visibility(a, b, planes=planes_of(1, 70), occluders=some_boxes(3, 4), solids=some_boxes(4, 6))
-    assert found.products.shape == (len(found.sights), 4) and found.products.dtype == np.uint32
-    assert not found.products.flags.writeable and not found.undecided.flags.writeable
+    assert found.blocks.shape == (len(found.sights), 4) and found.blocks.dtype == np.uint32
+    assert not found.blocks.flags.writeable and not found.undecided.flags.writeable
     assert set(np.unique(found.sights)) <= {1, 2, 3} and found.sights.dtype == np.uint8
     seen = np.zeros((70, 65), dtype=int)
     bits = {kind: np.zeros((70, 65), dtype=bool) for kind in KINDS}
-    for (first_a, count_a, first_b, count_b), sight in zip(found.products, found.sights):
+    for (first_a, count_a, first_b, count_b), sight in zip(found.blocks, found.sights):
         block = np.ix_(found.order_a[first_a : first_a + count_a], found.order_b[first_b : first_b + count_b])
         seen[block] += 1
         bits[KINDS[sight]][block] = True
@@ -222,7 +222,7 @@ def test_patches_are_kept_for_several_calls():
     np.testing.assert_array_equal(sc.visibility(patches, solids=solids).order_a, patches.order)
     none = np.zeros((0, 6), dtype=np.float32)
     found = sc.visibility(none, boxes)
-    assert sum(found.counts.values()) == 0 and found.products.shape == (0, 4) and found.bits("clear").shape == (0, 50)
+    assert sum(found.counts.values()) == 0 and found.blocks.shape == (0, 4) and found.bits("clear").shape == (0, 50)
 
 
 @pytest.mark.parametrize(

@@ -470,8 +470,8 @@ export interface Visibility {
    * What is decided: runs of patches by runs of patches of which the same is said, 4 numbers each: position and length
    * of the run in `orderA`, position and length of the run in `orderB`.
    */
-  readonly products: Uint32Array;
-  /** What is said of each product. */
+  readonly blocks: Uint32Array;
+  /** What is said of each block. */
   readonly sights: readonly Sight[];
   readonly orderA: Uint32Array;
   readonly orderB: Uint32Array;

@@ -10,7 +10,7 @@ const parts = [
   'patches', 'planes', 'corners', 'patchesB', 'planesB', 'cornersB', 'boxes', 'solids', 'hulls', 'polygons', 'triangles',
 ];
 const countOptions = ['contact', 'tolerance', 'solidsAroundEnds', 'findSolids', 'memory'];
-const productWords = 5;  // of shaftcull_pair_block
+const blockWords = 5;  // of shaftcull_pair_block
 
 /** Patches by their boxes, named `name`, or by their corners. */
 function patchesOf(scratch, make, boxes, planes, corners, name, cornersName) {
@@ -119,7 +119,7 @@ class Visibility {
     this.orderA = orderA;
     this.orderB = orderB;
     this.triangles = triangles;
-    this.#readProducts(module, batch.products, batch.product_count);
+    this.#readBlocks(module, batch.blocks, batch.block_count);
     this.#readUndecided(module, module.read('undecided_pairs', batch.undecided));
   }
 
@@ -130,7 +130,7 @@ class Visibility {
     let at = 0;
     for (let p = 0; p !== this.sights.length; ++p) {
       if (this.sights[p] !== sight) continue;
-      const [firstA, countA, firstB, countB] = this.products.subarray(4 * p, 4 * p + 4);
+      const [firstA, countA, firstB, countB] = this.blocks.subarray(4 * p, 4 * p + 4);
       for (let i = firstA; i !== firstA + countA; ++i) {
         for (let j = firstB; j !== firstB + countB; ++j) {
           pairs[at++] = this.orderA[i];
@@ -154,12 +154,12 @@ class Visibility {
     return rows;
   }
 
-  #readProducts(module, products, count) {
-    const words = module.words(products, productWords * count);
-    this.products = new Uint32Array(4 * count);
+  #readBlocks(module, blocks, count) {
+    const words = module.words(blocks, blockWords * count);
+    this.blocks = new Uint32Array(4 * count);
     this.sights = Array.from({length: count}, (_, p) => {
-      this.products.set(words.subarray(productWords * p, productWords * p + 4), 4 * p);
-      return sightNames[words[productWords * p + 4]];
+      this.blocks.set(words.subarray(blockWords * p, blockWords * p + 4), 4 * p);
+      return sightNames[words[blockWords * p + 4]];
     });
   }
 
