@@ -93,9 +93,6 @@ enum {
 /// The version of the running library, as SHAFTCULL_HEADER_VERSION. Never fails. O(1).
 SHAFTCULL_API uint32_t shaftcull_version(void);
 
-/// The same as text, "0.1.0". Valid for ever. Never fails. O(1).
-SHAFTCULL_API const char* shaftcull_version_string(void);
-
 /// The message of this thread's last call that failed: what is wrong, where, and what would be right. Empty if none
 /// failed. UTF-8; valid until this thread's next call that fails. Never NULL, never fails. O(1).
 SHAFTCULL_API const char* shaftcull_error_message(void);

@@ -108,6 +108,4 @@ const char* shaftcull_status_name(shaftcull_status status) {
 
 uint32_t shaftcull_version() { return SHAFTCULL_VERSION; }
 
-const char* shaftcull_version_string() { return SHAFTCULL_VERSION_STRING; }
-
 }  // extern "C"

@@ -35,7 +35,8 @@ class Shaftcull {
 
   constructor(module) {
     this.#module = module;
-    this.version = module.text(module.call('shaftcull_version_string'));
+    const version = module.call('shaftcull_version');
+    this.version = [version / 1000000, version / 1000 % 1000, version % 1000].map(Math.trunc).join('.');
     this.instructionSets = Object.freeze(instructionSets(module));
     this.hashFamilies = hashes.hashFamilies(module);
   }
