@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Jobs from inputs to the file: answers are those of the library's flat scans, whatever the ranks, the memory and what
-/// was interrupted.
+/// Jobs from inputs to the file: answers are those of the library's flat scans, whatever the ranks and the memory.
 #include "batch/job.hpp"
 
 #include <gmock/gmock.h>
@@ -8,15 +7,13 @@
 #include <hdf5.h>
 
 #include <algorithm>
-#include <atomic>
-#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <mutex>
 #include <numeric>
-#include <random>
 
 #include "batch/hdf5_handle.hpp"
+#include "batch/job_fixture.hpp"
 #include "batch/npy.hpp"
 #include "batch/thread_ranks.hpp"
 #include "message_of.hpp"
@@ -29,68 +26,10 @@ namespace {
 using batch::Answer;
 using batch::BoundKind;
 using batch::Job;
-using batch::JobReport;
 using batch::ShaftKind;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-constexpr std::size_t shafts = 230;
-constexpr std::size_t bounds = 1500;
-
-/// Whole numbers, so that much touches and much is reached at the same time.
-class Numbers {
- public:
-  explicit Numbers(std::uint64_t seed) : random_(seed) {}
-  float up_to(unsigned most) { return static_cast<float>(random_() % (most + 1)); }
-  void add_box(std::vector<float>& to, unsigned space, unsigned size) {
-    std::array<float, 6> box{};
-    for (std::size_t axis = 0; axis != 3; ++axis) {
-      box[axis] = up_to(space);
-      box[axis + 3] = box[axis] + up_to(size);
-    }
-    to.insert(to.end(), box.begin(), box.end());
-  }
-
- private:
-  std::mt19937_64 random_;
-};
-
-std::vector<float> random_bounds(BoundKind kind) {
-  Numbers numbers(1);
-  std::vector<float> floats;
-  for (std::size_t i = 0; i != bounds; ++i) {
-    if (kind == BoundKind::box) {
-      numbers.add_box(floats, 60, i % 50 == 0 ? 30 : 3);
-      continue;
-    }
-    const std::size_t corners = kind == BoundKind::triangle ? 3 : 1;
-    const std::array<float, 3> at{numbers.up_to(60), numbers.up_to(60), numbers.up_to(60)};
-    for (std::size_t c = 0; c != corners; ++c) {
-      for (std::size_t axis = 0; axis != 3; ++axis) floats.push_back(at[axis] + (c == 0 ? 0 : numbers.up_to(4)));
-    }
-    if (kind == BoundKind::sphere) floats.push_back(numbers.up_to(3));
-  }
-  return floats;
-}
-
-/// Rows of 12 or of 9 floats. Lights and occluders are apart.
-std::vector<float> random_shafts(ShaftKind kind) {
-  Numbers numbers(2);
-  std::vector<float> floats;
-  for (std::size_t i = 0; i != shafts; ++i) {
-    numbers.add_box(floats, 30, 3);
-    if (kind == ShaftKind::between || kind == ShaftKind::shadow) {
-      const std::size_t at = floats.size();
-      numbers.add_box(floats, 30, 3);
-      for (const std::size_t x : {at, at + 3}) floats[x] += kind == ShaftKind::shadow ? 34 : 0;
-    } else {
-      const std::array<float, 3> vector{1 + numbers.up_to(20), numbers.up_to(20) - 10, numbers.up_to(20) - 10};
-      floats.insert(floats.end(), vector.begin(), vector.end());
-    }
-  }
-  return floats;
-}
 
 Box box_at(const std::vector<float>& floats, std::size_t at) {
   return {{floats[at], floats[at + 1], floats[at + 2]}, {floats[at + 3], floats[at + 4], floats[at + 5]}};
@@ -206,29 +145,6 @@ void expect_answers_of(const std::string& path, Answer answer, const std::vector
     expect_answers(path, answer, asked, stream.view());
   }
 }
-
-const batch::Surroundings undisturbed{[](const std::function<void()>& work) { work(); }, [] { return 0; }};
-
-JobReport run(const Job& job, const batch::Surroundings& surroundings = undisturbed) {
-  const auto ranks = batch::one_rank();
-  return batch::run_job(job, *ranks, surroundings);
-}
-
-class BatchJob : public testing::Test {
- protected:
-  BatchJob() {
-    job.bounds = folder.path("bounds.npy");
-    job.shafts = folder.path("shafts.npy");
-    job.out = folder.path("out.h5");
-    job.block = 40;
-    job.progress = batch::ProgressForm::none;
-    write_floats(job.bounds, 6, random_bounds(BoundKind::box));
-    write_floats(job.shafts, 12, random_shafts(ShaftKind::between));
-  }
-
-  BatchFolder folder;
-  Job job;
-};
 
 TEST_F(BatchJob, AnswersAreThoseOfFlatScans) {
   constexpr std::array kinds{ShaftKind::between, ShaftKind::shadow, ShaftKind::swept, ShaftKind::sun};
@@ -360,102 +276,6 @@ TEST_F(BatchJob, RanksOfOtherVersionsAreRefused) {
   EXPECT_FALSE(std::filesystem::exists(job.out));
 }
 
-/// Asks a run to end when it has been asked so often whether it is to.
-batch::Surroundings interrupted_after(std::atomic<int>& asked, int times) {
-  return {[](const std::function<void()>& work) { work(); }, [&asked, times] { return ++asked > times ? SIGTERM : 0; }};
-}
-
-TEST_F(BatchJob, AnInterruptedJobGoesOn) {
-  for (const std::uint64_t memory : {0U, 60'000U}) {
-    job.memory = memory;
-    job.question.answer = Answer::classify;
-    std::filesystem::remove(job.out);
-    run(job);
-    const std::string whole = bytes_of_file(job.out);
-    std::filesystem::remove(job.out);
-    int interruptions = 0;
-    for (int times = 1; times < 1000; times += 7) {
-      std::atomic<int> asked = 0;
-      try {
-        run(job, interrupted_after(asked, times));
-        break;
-      } catch (const batch::Stopped& stopped) {
-        EXPECT_EQ(stopped.signal(), SIGTERM);
-        EXPECT_THAT(stopped.what(), HasSubstr("out.h5.parts"));
-        EXPECT_FALSE(std::filesystem::exists(job.out)) << "a file that is not whole has no name";
-        ++interruptions;
-      }
-    }
-    EXPECT_GT(interruptions, 1);
-    EXPECT_TRUE(bytes_of_file(job.out) == whole);
-  }
-}
-
-/// Stops a job when some of its blocks are there.
-void stop_half_way(const Job& job) {
-  std::atomic<int> asked = 0;
-  EXPECT_THROW(run(job, interrupted_after(asked, 11)), batch::Stopped);
-}
-
-std::vector<std::string> blocks_in(const std::string& folder) {
-  std::vector<std::string> blocks;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-    if (entry.path().filename().string().starts_with("block-")) blocks.push_back(entry.path().string());
-  }
-  std::ranges::sort(blocks);
-  return blocks;
-}
-
-TEST_F(BatchJob, TornAndDamagedBlocksAreDoneAgain) {
-  job.question.answer = Answer::list;
-  run(job);
-  const std::string whole = bytes_of_file(job.out);
-  job.block = 10;
-  stop_half_way(job);
-  const std::vector<std::string> blocks = blocks_in(job.out + ".parts");
-  ASSERT_GE(blocks.size(), 3);
-  std::string damaged = bytes_of_file(blocks[0]);
-  damaged.back() = static_cast<char>(damaged.back() + 1);
-  write_file(blocks[0], damaged);
-  std::filesystem::resize_file(blocks[1], std::filesystem::file_size(blocks[1]) - 1);
-  write_file(job.out + ".parts/rank-0", "what a killed rank was writing");
-  const JobReport report = run(job);
-  EXPECT_EQ(report.blocks_before, blocks.size() - 2);
-  EXPECT_TRUE(bytes_of_file(job.out) == whole);
-}
-
-TEST_F(BatchJob, OtherInputsThanThoseOfTheUnfinishedJobAreRefused) {
-  const auto refusal = [](const Job& other) { return message_of([&] { run(other); }); };
-  job.block = 10;
-  stop_half_way(job);
-  Job other = job;
-  other.question.answer = Answer::list;
-  EXPECT_THAT(refusal(other), AllOf(HasSubstr("unfinished job"), HasSubstr("answer was count, and is list now")));
-  other = job;
-  other.question.contact = Contact::open;
-  EXPECT_THAT(refusal(other), HasSubstr("contact was closed, and is open now"));
-  other = job;
-  other.block = 11;
-  EXPECT_THAT(refusal(other), HasSubstr("block was 10, and is 11 now"));
-  other = job;
-  other.memory = 60'000;
-  EXPECT_THAT(refusal(other), HasSubstr("shares was 1, and is "));
-
-  const std::vector<float> shaft_floats = random_shafts(ShaftKind::between);
-  std::vector<float> changed = shaft_floats;
-  changed.back() += 1;
-  write_floats(job.shafts, 12, changed);
-  EXPECT_THAT(refusal(job), HasSubstr("shafts was (230, 12) of float32 "));
-  write_floats(job.shafts, 12, shaft_floats);
-  std::vector<float> bound_floats = random_bounds(BoundKind::box);
-  bound_floats.resize(bound_floats.size() - 6);
-  write_floats(job.bounds, 6, bound_floats);
-  EXPECT_THAT(refusal(job),
-              AllOf(HasSubstr("bounds was (1500, 6) of float32 "), HasSubstr("is (1499, 6) of float32 ")));
-  write_floats(job.bounds, 6, random_bounds(BoundKind::box));
-  EXPECT_GT(run(job).blocks_before, 0) << "with what it was begun with it goes on";
-}
-
 TEST_F(BatchJob, ArraysThatDoNotFitAreRefused) {
   const auto refusal = [&] { return message_of([&] { run(job); }); };
   write_floats(job.bounds, 5, std::vector<float>(10));
@@ -540,18 +360,6 @@ TEST_F(BatchJob, LittleMemoryForVeryManySharesIsRefused) {
   EXPECT_EQ(run(job).shares, few) << "a bound each is as small as shares get";
   write_floats(job.bounds, 6, std::vector<float>(6 * 20'000));
   EXPECT_THAT(message_of([&] { run(job); }), HasSubstr("--memory: 20000 bounds would be dealt into 20000 shares"));
-}
-
-TEST_F(BatchJob, AnotherRunOfTheSameJobIsKeptOut) {
-  job.block = 10;
-  std::string told;
-  const batch::Surroundings within{[](const std::function<void()>& work) { work(); },
-                                   [&] {
-                                     if (told.empty()) told = message_of<std::runtime_error>([&] { run(job); });
-                                     return 0;
-                                   }};
-  run(job, within);
-  EXPECT_THAT(told, HasSubstr("another run works on this job"));
 }
 
 }  // namespace

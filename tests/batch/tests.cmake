@@ -6,6 +6,7 @@ shaftcull_test(batch
   batch/block_store.cpp
   batch/dealing.cpp
   batch/dealt_bounds.cpp
+  batch/interrupted_job.cpp
   batch/job.cpp
   batch/progress_lines.cpp
   batch/share_plan.cpp)

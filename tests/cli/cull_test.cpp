@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-/// `shaftcull cull`, from outside.
+/// Answers of `shaftcull cull`, from outside.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 #include <vector>
 
-#include "cli/program.hpp"
+#include "cli/cull_scene.hpp"
 
 namespace shaftcull::test {
 namespace {
@@ -19,48 +18,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 using testing::SizeIs;
-
-struct Cube {
-  std::string name;
-  double x;
-  double y;
-  double half_extent;
-};
-
-/// An OBJ file of cubes, twelve triangles each.
-std::string obj_of(const std::vector<Cube>& cubes) {
-  std::ostringstream obj;
-  int first = 1;
-  for (const Cube& cube : cubes) {
-    obj << "o " << cube.name << '\n';
-    for (int corner = 0; corner < 8; ++corner) {
-      const auto side = [&](int axis) { return (corner >> axis & 1) != 0 ? cube.half_extent : -cube.half_extent; };
-      obj << "v " << cube.x + side(0) << ' ' << cube.y + side(1) << ' ' << side(2) << '\n';
-    }
-    constexpr int quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-    for (const auto& quad : quads) {
-      obj << 'f';
-      for (const int corner : quad) obj << ' ' << first + corner;
-      obj << '\n';
-    }
-    first += 8;
-  }
-  return obj.str();
-}
-
-/// Three cubes in a row, a small one between them and one to the side.
-class CliCull : public testing::Test {
- protected:
-  [[nodiscard]] Outcome cull(std::vector<std::string> arguments) const {
-    arguments.insert(arguments.begin(), {"cull", "--scene", row_});
-    return run_program(arguments);
-  }
-
-  ScratchFolder folder_;
-  std::string row_ = folder_.write(
-      "row.obj",
-      obj_of({{"left", 0, 0, 1}, {"middle", 5, 0, 2}, {"small", 5, 0, 0.5}, {"right", 10, 0, 1}, {"aside", 5, 9, 1}}));
-};
 
 TEST_F(CliCull, ListsWhatLiesBetweenAsText) {
   const Outcome outcome = cull({"--from", "left", "--to", "right"});
@@ -249,36 +206,6 @@ TEST_F(CliCull, LeavesOutTrianglesThatOnlyTouchIfContactIsOpen) {
                                            HasSubstr("inside   tip triangle")));
 }
 
-TEST_F(CliCull, RefusesOptionsOfShaftsThatDoNotGoTogether) {
-  const std::vector<std::string> ends{"--from", "left", "--to", "right"};
-  const std::vector<std::string> body{"--from", "left", "--swept", "1,0,0"};
-  const std::vector<std::string> hull{"--hull", "0,0,0,1,1,1"};
-  for (const auto& arguments : {with(ends, {"--swept", "1,0,0"}),
-                                with(ends, {"--without-end"}),
-                                with(ends, {"--reach", "2"}),
-                                with(ends, {"--towards", "1,0,0"}),
-                                with(ends, {"--shadow", "--solid"}),
-                                with(body, {"--shadow"}),
-                                with(body, {"--solid"}),
-                                with(hull, ends),
-                                with(hull, {"--swept", "1,0,0"}),
-                                with(hull, {"--shadow"}),
-                                with(hull, {"--random", "2"}),
-                                with(hull, {"--times"}),
-                                with(hull, {"--first"}),
-                                with(hull, {"--solid"}),
-                                with(hull, {"--contact", "open"}),
-                                with(hull, {"--triangles", "exact"}),
-                                with(ends, {"--triangles", "exact", "--times"}),
-                                with(ends, {"--triangles", "exact", "--first"}),
-                                with(ends, {"--triangles", "exact", "--bounds", "object"}),
-                                std::vector<std::string>{"--swept", "1,0,0"},
-                                std::vector<std::string>{"--shadow", "--from", "left"}}) {
-    SCOPED_TRACE(testing::PrintToString(arguments));
-    expect_refusal(cull(arguments));
-  }
-}
-
 TEST_F(CliCull, ListsWhatLiesBetweenAsJson) {
   const Outcome outcome = cull({"--from", "left", "--to", "right", "--format", "json"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
@@ -366,82 +293,6 @@ TEST_F(CliCull, AnswersAlikeOnEveryInstructionSetOfThisMachine) {
   EXPECT_EQ(best.out, cull(scalar).out);
 }
 
-TEST_F(CliCull, RejectsAMissingFileInOneLine) {
-  const Outcome outcome = run_program({"cull", "--scene", folder_.path("no such.obj"), "--random", "1"});
-  expect_refusal(outcome);
-  EXPECT_THAT(outcome.error, HasSubstr("no such.obj: there is no such file"));
-}
-
-TEST_F(CliCull, RejectsAnEmptyFileInOneLine) {
-  const Outcome outcome = run_program({"cull", "--scene", folder_.write("empty.obj", ""), "--random", "1"});
-  expect_refusal(outcome);
-  EXPECT_THAT(outcome.error, HasSubstr("the file is empty"));
-}
-
-TEST_F(CliCull, RejectsADirectoryInOneLine) {
-  const Outcome outcome = run_program({"cull", "--scene", folder_.path("."), "--random", "1"});
-  expect_refusal(outcome);
-  EXPECT_THAT(outcome.error, HasSubstr("is a directory"));
-}
-
-TEST_F(CliCull, RejectsBrokenFilesInOneLine) {
-  const std::string half_a_glb("glTF\x02\0\0\0\xff\xff\0\0", 12);
-  for (const std::string& path :
-       {folder_.write("broken.obj", "v 0 0\nf 1 2 3\nf 9 9 9\n"),
-        folder_.write("broken.ply", "ply\nformat ascii 1.0\nelement vertex 3\n"),
-        folder_.write("broken.gltf", "{\"asset\": "), folder_.write("broken.glb", half_a_glb),
-        folder_.write("noise.stl", "\x01\x02\x03"), folder_.write("comment.obj", "# nothing\n"),
-        folder_.write("unknown.xyz", "1 2 3\n")}) {
-    SCOPED_TRACE(path);
-    const Outcome outcome = run_program({"cull", "--scene", path, "--random", "1"});
-    expect_refusal(outcome);
-    EXPECT_THAT(outcome.error, HasSubstr(path));
-  }
-}
-
-TEST_F(CliCull, OutlivesAFileThatCrashesItsReader) {
-  const std::string path = folder_.write("cut.ply",
-                                         "ply\nformat binary_little_endian 1.0\nelement vertex 1000\nproperty float x\n"
-                                         "property float y\nproperty float z\nelement face 500\n"
-                                         "property list uchar int vertex_index\nend_header\n0123456789");
-  const Outcome outcome = run_program({"cull", "--scene", path, "--random", "1"});
-  expect_refusal(outcome);
-  EXPECT_THAT(outcome.error, HasSubstr(path));
-}
-
-TEST_F(CliCull, RejectsANanVertexAndNamesItsObject) {
-  const std::string path = folder_.write("nan.obj", "o sick\nv 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n");
-  const Outcome outcome = run_program({"cull", "--scene", path, "--random", "1"});
-  expect_refusal(outcome);
-  // One coordinate is NaN, so one is named.
-  EXPECT_THAT(outcome.error, AllOf(HasSubstr("x of vertex 1 of 'sick' is nan"), Not(HasSubstr("y of"))));
-}
-
-TEST_F(CliCull, NamesTheObjectsThereAreForAnUnknownName) {
-  const Outcome outcome = cull({"--from", "Left", "--to", "right"});
-  expect_refusal(outcome);
-  EXPECT_THAT(outcome.error, HasSubstr("--from Left"));
-  EXPECT_THAT(outcome.error, HasSubstr("'left'"));
-  EXPECT_THAT(outcome.error, HasSubstr("'middle'"));
-}
-
-TEST_F(CliCull, NamesTheClosestOfManyNames) {
-  std::vector<Cube> cubes;
-  for (int i = 0; i < 40; ++i) cubes.push_back({"thing" + std::to_string(100 + i), 3.0 * i, 0, 1});
-  cubes.push_back({"lampshade", 0, 5, 1});
-  const std::string path = folder_.write("many.obj", obj_of(cubes));
-  const Outcome outcome = run_program({"cull", "--scene", path, "--from", "lampshde", "--to", "thing100"});
-  expect_refusal(outcome);
-  EXPECT_THAT(outcome.error, HasSubstr("'lampshade'"));
-  EXPECT_THAT(outcome.error, HasSubstr("32 more"));
-}
-
-TEST_F(CliCull, RejectsBoxesThatNoShaftCanHave) {
-  expect_refusal(cull({"--from", "1,0,0,0,1,1", "--to", "right"}));
-  expect_refusal(cull({"--from", "nan,0,0,1,1,1", "--to", "right"}));
-  expect_refusal(cull({"--from", "0,0,0,1,1", "--to", "right"}));
-}
-
 TEST_F(CliCull, SaysTheSameWithATree) {
   for (const char* format : {"text", "json", "csv"}) {
     const std::vector<std::string> arguments = {"--random", "10", "--bounds", "triangle", "--format", format};
@@ -453,162 +304,6 @@ TEST_F(CliCull, SaysTheSameWithATree) {
     EXPECT_THAT(outcome.out, Not(IsEmpty()));
     EXPECT_EQ(outcome.out, scanned.out);
   }
-}
-
-TEST_F(CliCull, RejectsContradictoryOptions) {
-  expect_refusal(cull({}));
-  expect_refusal(cull({"--from", "left"}));
-  expect_refusal(cull({"--from", "left", "--to", "right", "--random", "2"}));
-  expect_refusal(cull({"--random", "0"}));
-  expect_refusal(cull({"--random", "2", "--format", "xml"}));
-}
-
-TEST_F(CliCull, TakesAFileWithoutAnOption) {
-  const Outcome outcome = run_program({"cull", row_, "--from", "left", "--to", "right"});
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
-  EXPECT_EQ(outcome.out, cull({"--from", "left", "--to", "right"}).out);
-}
-
-TEST_F(CliCull, SaysWhatToAddToAFile) {
-  const Outcome outcome = run_program({"cull", row_});
-  expect_refusal(outcome);
-  EXPECT_THAT(outcome.error,
-              AllOf(HasSubstr("--from NAME --to NAME, or --random 10"), HasSubstr("'left'"), HasSubstr("'aside'")));
-}
-
-TEST_F(CliCull, SaysWhereTheFileBelongs) {
-  const Outcome outcome = run_program({"cull"});
-  expect_refusal(outcome);
-  EXPECT_THAT(outcome.error, HasSubstr("shaftcull cull FILE"));
-}
-
-TEST_F(CliCull, RefusesABoxOfFiveNumbersAsABox) {
-  const Outcome outcome = cull({"--from", "0,0,0,1,1", "--to", "right"});
-  expect_refusal(outcome);
-  EXPECT_THAT(outcome.error, HasSubstr("--from 0,0,0,1,1: 5 numbers; a box takes six"));
-}
-
-TEST_F(CliCull, KeepsControlCharactersOfNamesFromTheTerminal) {
-  const std::string path = folder_.write(
-      "red.obj",
-      obj_of({{"left\x1b[31m", 0, 0, 1}, {"mid\x1b]0;x", 5, 0, 1}, {"right", 10, 0, 1}, {"aside", 5, 9, 1}}));
-  const Outcome outcome = run_program({"cull", path, "--from", "left\x1b[31m", "--to", "right"});
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
-  EXPECT_THAT(outcome.out,
-              AllOf(HasSubstr("left\\x1b[31m -> right"), HasSubstr("mid\\x1b]0;x"), Not(HasSubstr("\x1b"))));
-  const Outcome error = run_program({"cull", path});
-  EXPECT_THAT(error.error, AllOf(HasSubstr("left\\x1b[31m"), Not(HasSubstr("\x1b"))));
-}
-
-/// A wavy sheet of 2 × 16 × 16 triangles, all in one object.
-class CliCullParts : public testing::Test {
- protected:
-  static std::string sheet() {
-    std::ostringstream obj;
-    obj << "o sheet\n";
-    for (int y = 0; y <= 16; ++y) {
-      for (int x = 0; x <= 16; ++x) obj << "v " << x << ' ' << y << ' ' << (x * y) % 5 << '\n';
-    }
-    for (int y = 0; y < 16; ++y) {
-      for (int x = 0; x < 16; ++x) {
-        const int corner = 17 * y + x + 1;
-        obj << "f " << corner << ' ' << corner + 1 << ' ' << corner + 18 << '\n';
-        obj << "f " << corner << ' ' << corner + 18 << ' ' << corner + 17 << '\n';
-      }
-    }
-    return obj.str();
-  }
-
-  [[nodiscard]] nlohmann::json report(std::vector<std::string> arguments) const {
-    arguments.insert(arguments.begin(), {"cull", path_});
-    arguments.insert(arguments.end(), {"--format", "json"});
-    const Outcome outcome = run_program(arguments);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
-    return nlohmann::json::parse(outcome.out);
-  }
-
-  ScratchFolder folder_;
-  std::string path_ = folder_.write("sheet.obj", sheet());
-};
-
-TEST_F(CliCullParts, AreTheEndsOfRandomPairsInAFileOfOneObject) {
-  const auto result = report({"--random", "50"});
-  EXPECT_EQ(result["objects"], 1);
-  EXPECT_EQ(result["bounds"], "part");
-  EXPECT_EQ(result["count"], 64);  // of eight triangles each
-  ASSERT_THAT(result["pairs"], SizeIs(50));
-  std::size_t candidates = 0;
-  for (const auto& pair : result["pairs"]) {
-    EXPECT_EQ(pair["from"]["object"], "sheet");
-    EXPECT_NE(pair["from"]["part"], pair["to"]["part"]);
-    for (const auto& candidate : pair["candidates"]) {
-      EXPECT_NE(candidate["part"], pair["from"]["part"]);
-      EXPECT_NE(candidate["part"], pair["to"]["part"]);
-    }
-    candidates += pair["candidates"].size();
-  }
-  EXPECT_GT(candidates, 50U);
-}
-
-TEST_F(CliCullParts, LeaveOutNoTriangleButTheirOwn) {
-  // The two ends as boxes hold nothing, so what they list beyond the parts are the triangles of both parts.
-  const auto of_parts = report({"--random", "5", "--bounds", "triangle"});
-  EXPECT_EQ(of_parts["count"], 512);
-  for (const auto& pair : of_parts["pairs"]) {
-    const auto box_text = [](const nlohmann::json& box) {
-      std::string text;
-      for (const char* corner : {"lo", "hi"}) {
-        for (const auto& x : box[corner]) text += (text.empty() ? "" : ",") + x.dump();
-      }
-      return text;
-    };
-    const auto of_boxes =
-        report({"--bounds", "triangle", "--from", box_text(pair["from"]["box"]), "--to", box_text(pair["to"]["box"])});
-    EXPECT_EQ(of_boxes["pairs"][0]["candidates"].size(), pair["candidates"].size() + 16);
-  }
-}
-
-TEST_F(CliCullParts, AreNamedWhereEndsAreMissing) {
-  const Outcome outcome = run_program({"cull", path_});
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.error, HasSubstr("its object is 'sheet', with its parts, as 'sheet part 1'"));
-}
-
-TEST_F(CliCullParts, CanBeNamed) {
-  const auto random = report({"--random", "1"})["pairs"][0];
-  const auto name = [](const nlohmann::json& end) { return "sheet part " + end["part"].dump(); };
-  const auto named = report({"--from", name(random["from"]), "--to", name(random["to"])})["pairs"][0];
-  EXPECT_EQ(named, random);
-}
-
-TEST_F(CliCullParts, AreWrittenInEveryFormat) {
-  const Outcome text = run_program({"cull", path_, "--random", "1"});
-  EXPECT_THAT(text.out, AllOf(HasSubstr("1 object, 64 part bounds"), HasSubstr(" -> sheet part ")));
-  const Outcome csv = run_program({"cull", path_, "--random", "1", "--format", "csv"});
-  EXPECT_EQ(lines(csv.out).front(), "pair,from,to,object,part,answer,lo_x,lo_y,lo_z,hi_x,hi_y,hi_z");
-}
-
-TEST_F(CliCullParts, AnswerTheSameWithATree) {
-  const std::vector<std::string> arguments{"cull", path_, "--random", "20"};
-  std::vector<std::string> with_tree = arguments;
-  with_tree.emplace_back("--tree");
-  EXPECT_EQ(run_program(arguments).out, run_program(with_tree).out);
-}
-
-TEST_F(CliCullParts, StandBackWhereObjectsAreManyUnlessAskedFor) {
-  const std::string path =
-      folder_.write("four.obj", obj_of({{"a", 0, 0, 1}, {"b", 5, 0, 1}, {"c", 10, 0, 1}, {"d", 15, 0, 1}}));
-  EXPECT_THAT(run_program({"cull", path, "--random", "1"}).out, Not(HasSubstr("part")));
-  EXPECT_THAT(run_program({"cull", path, "--random", "1", "--ends", "part"}).out, HasSubstr("part"));
-  EXPECT_THAT(run_program({"cull", path_, "--random", "1", "--ends", "object"}).error,
-              AllOf(HasSubstr("only one object"), HasSubstr("'sheet'")));
-}
-
-TEST_F(CliCullParts, NeedTwoTriangles) {
-  const std::string path = folder_.write("one.obj", "o only\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  const Outcome outcome = run_program({"cull", path, "--random", "1"});
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.error, AllOf(HasSubstr("only one triangle"), HasSubstr("'only'")));
 }
 
 }  // namespace

@@ -47,7 +47,12 @@ if(NOT WIN32)
 endif()
 target_include_directories(test_cli PRIVATE ${PROJECT_SOURCE_DIR}/programs/shaftcull)
 if(assimp_FOUND)
-  target_sources(test_cli PRIVATE cli/cull_test.cpp cli/mesh_import_test.cpp cli/sees_mesh_test.cpp)
+  target_sources(test_cli PRIVATE
+    cli/cull_errors_test.cpp
+    cli/cull_parts_test.cpp
+    cli/cull_test.cpp
+    cli/mesh_import_test.cpp
+    cli/sees_mesh_test.cpp)
 endif()
 target_link_libraries(test_cli PRIVATE shaftcull_hashes fmt::fmt nlohmann_json::nlohmann_json ZLIB::ZLIB)
 target_compile_definitions(test_cli PRIVATE
