@@ -6,6 +6,8 @@ set(c_tests ${PROJECT_SOURCE_DIR}/bindings/c/tests)
 # Every question, against the C++ interface; and what holds of all calls.
 shaftcull_test(c
   ${c_tests}/agreement.cpp
+  ${c_tests}/agreement_questions.cpp
+  ${c_tests}/agreement_shafts.cpp
   ${c_tests}/structs.cpp)
 target_link_libraries(test_c PRIVATE shaftcull_c)
 target_include_directories(test_c PRIVATE ${c_tests} ${PROJECT_SOURCE_DIR}/bindings/c)
