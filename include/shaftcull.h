@@ -696,8 +696,9 @@ SHAFTCULL_API shaftcull_status shaftcull_entry_times(const shaftcull_shafts* sha
 
 /// The answer of one shaft for one bound: `bound` points to a shaftcull_box, shaftcull_sphere or shaftcull_triangle, as
 /// `kind` says. `test` is that of a triangle; 0 for other bounds. A box takes about 20 ns if it is outside and 50 ns
-/// otherwise, a triangle 100 ns and 0.5 µs. A shaft that answers more than once should be complete
-/// (shaftcull_shafts_complete()). No allocation.
+/// otherwise, a triangle 100 ns and 0.5 µs. A sphere within the box around a shaft is answered by the shaft's joining
+/// planes. While they are pending, each call computes them, in 80 ns: shaftcull_shafts_complete() does so once. No
+/// allocation.
 SHAFTCULL_API shaftcull_status shaftcull_classify_one(const shaftcull_shafts* shafts, uint64_t shaft,
                                                       shaftcull_bound_kind kind, const void* bound,
                                                       shaftcull_triangle_test test, shaftcull_answer* answer);

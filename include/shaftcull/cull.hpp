@@ -89,8 +89,9 @@ SHAFTCULL_EXPORT std::size_t list(const CompiledShaft& shaft, const Bounds& boun
                                           TriangleTest test = TriangleTest::exact);
 
 /// Returns the answer of the shaft for one bound. About 30 ns for a box with AVX2; 40 to 50 ns for one within the box
-/// around a shaft whose joining planes are pending (compiled.hpp). For a sphere there, each call computes the planes,
-/// which takes about 80 ns more: complete() a shaft that classifies many single spheres.
+/// around a shaft whose joining planes are pending (compiled.hpp). A sphere there is answered by distances from planes,
+/// so each call computes the planes, which takes about 80 ns more: complete() a shaft that classifies many single
+/// spheres.
 [[nodiscard]] SHAFTCULL_EXPORT Answer classify(const CompiledShaft& shaft, const Box& box);
 [[nodiscard]] SHAFTCULL_EXPORT Answer classify(const CompiledShaft& shaft, const Sphere& sphere);
 
