@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "families/sees_scene.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include <fmt/format.h>
+
+#include "shaftcull/triangles.hpp"
+
+namespace shaftcull::bench {
+
+Isa measured_isa() {
+  const std::vector<Isa> available = available_isas();
+  const std::optional<Isa> asked = isa_from_name(isa_choice().asked);
+  const bool runs = asked && std::find(available.begin(), available.end(), *asked) != available.end();
+  return runs ? *asked : available.back();
+}
+
+Occluders occluders_of(const PatchScene& scene) {
+  Occluders occluders;
+  occluders.add_solids(scene.boxes);
+  std::vector<Vec3> corners;
+  std::vector<std::size_t> first_corner{0};
+  for (const TurnedBox& box : scene.turned) {
+    corners.insert(corners.end(), box.begin(), box.end());
+    first_corner.push_back(corners.size());
+  }
+  occluders.add_solid_hulls(corners, first_corner);
+  const std::size_t first = scene.objects[scene.first_mesh()];
+  const TriangleStream meshes(std::span(scene.triangles).subspan(first));
+  std::vector<std::size_t> first_triangle;
+  for (std::size_t i = scene.first_mesh(); i != scene.objects.size(); ++i) {
+    first_triangle.push_back(scene.objects[i] - first);
+  }
+  occluders.add_triangles(meshes, first_triangle);
+  const Box somewhere{};
+  benchmark::DoNotOptimize(count_visibility(PatchSet(std::span(&somewhere, 1)), occluders));
+  return occluders;
+}
+
+std::string shares_text(const SightCounts& counts) {
+  const auto percent = [total = static_cast<double>(counts.total())](std::uint64_t part) {
+    return 100 * static_cast<double>(part) / total;
+  };
+  return fmt::format("{:.1f} % clear, {:.1f} % occluded, {:.1f} % facing away, {:.1f} % undecided",
+                     percent(counts.clear), percent(counts.occluded), percent(counts.facing_away),
+                     percent(counts.undecided));
+}
+
+}  // namespace shaftcull::bench
