@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Two furnished rooms, and the rays and form factors of their patches. For baking.cpp.
 #pragma once
 
