@@ -52,12 +52,14 @@ if(assimp_FOUND)
     cli/cull_parts_test.cpp
     cli/cull_test.cpp
     cli/mesh_import_test.cpp
-    cli/sees_mesh_test.cpp)
+    cli/sees_mesh_test.cpp
+    cli/small_scenes_test.cpp)
 endif()
 target_link_libraries(test_cli PRIVATE shaftcull_hashes fmt::fmt nlohmann_json::nlohmann_json ZLIB::ZLIB)
 target_compile_definitions(test_cli PRIVATE
   SHAFTCULL_CLI="${shaftcull_cli_for_tests}"
-  SHAFTCULL_DOCS="${PROJECT_SOURCE_DIR}/docs")
+  SHAFTCULL_DOCS="${PROJECT_SOURCE_DIR}/docs"
+  SHAFTCULL_SMALL_SCENES="${CMAKE_CURRENT_SOURCE_DIR}/cli/scenes")
 add_dependencies(test_cli shaftcull_cli)
 # Hashes of all cases; same_bits asks about the first ones. Half a minute where the program is optimised, a quarter of it on one
 # instruction set, and minutes for one where the processor is emulated.
