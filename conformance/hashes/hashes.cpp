@@ -35,6 +35,8 @@ constexpr Family all[] = {
      0x41f602232f89e84bU, 0xea386fa648ca31efU},
     {"sights", "what sees what: every answer, and candidates of undecided pairs", one_way, sights, 10, 421,
      0xf34eaa6533b56507U, 0x638d59d1196b39b9U},
+    {"facet sights", "the same of polygons, with and without a tolerance", one_way, facet_sights, 20, 2500,
+     0x4e7f52924801e58dU, 0x9a1cce2b82953378U},
     {"solids", "boxes that are joined, and boxes inside hulls", one_way, solids, 100, 24391, 0xb60212bc1b5d9965U,
      0x8d8d9514e575687dU},
     {"found solids", "what is found in triangles: bodies, polygons and boxes inside bodies", one_way, found_solids, 200,

@@ -56,6 +56,7 @@ std::uint64_t box_trees(std::uint64_t scenes, Way way);
 std::uint64_t sphere_trees(std::uint64_t scenes, Way way);
 std::uint64_t triangle_trees(std::uint64_t scenes, Way way);
 std::uint64_t sights(std::uint64_t scenes, Way way);
+std::uint64_t facet_sights(std::uint64_t scenes, Way way);
 std::uint64_t solids(std::uint64_t scenes, Way way);
 std::uint64_t found_solids(std::uint64_t scenes, Way way);
 
