@@ -153,7 +153,9 @@ SightScene scene_of(const Case& it, const Usable& usable) {
     scene.first_triangle = {0, scene.triangles.size() / 2, scene.triangles.size()};
     if (scene.triangles.size() == 1) scene.first_triangle = {0, 1};
   }
-  return scene;
+  // In one case of three patches are polygons: facets of these boxes, or turned ones, in their planes now and then.
+  const bool has_polygons = it.boxes.size() % 3 == 1 && !scene.a.empty();
+  return has_polygons ? with_corners(std::move(scene), 64 * it.boxes.size() + it.planes.size()) : scene;
 }
 
 /// Empty, or for which pair two answers differ; `expected` may change the first.
@@ -201,8 +203,10 @@ std::string fault_of_little_memory(const SightScene& scene) {
   const std::size_t times = most_patches / std::max<std::size_t>(scene.a.size() + scene.b.size(), 1);
   repeat(many.a, scene.a, times);
   repeat(many.a_planes, scene.a_planes, times);
+  repeat(many.a_corners, scene.a_corners, times);
   repeat(many.b, scene.b, times);
   repeat(many.b_planes, scene.b_planes, times);
+  repeat(many.b_corners, scene.b_corners, times);
   const SightCase of(many);
   VisibilityOptions little = of.options;
   little.memory = std::size_t{1} << 20;
