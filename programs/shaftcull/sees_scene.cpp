@@ -184,22 +184,44 @@ bool is_across_axis(const Plane& plane) noexcept {
   return std::count(plane.normal.begin(), plane.normal.end(), 0.0F) == 2;
 }
 
-/// Adds the corners of patches, unless three in four of them or more are across an axis: the test between corners takes
-/// a microsecond for each pair that boxes leave undecided, of whatever patches. Corners are rounded to floats, so
-/// planes of small patches are a little aslant, and are so over the whole scene.
-void add_corners(SeesScene& scene) {
-  const auto across = std::count_if(scene.planes.begin(), scene.planes.end(), is_across_axis);
-  if (4 * static_cast<std::size_t>(across) >= 3 * scene.planes.size()) return;
-  Box all = scene.boxes.front();
-  for (const MeshPatch& patch : scene.patches) {
-    for (const Point3& corner : patch.corner) {
-      scene.corners.push_back(
-          {static_cast<float>(corner[0]), static_cast<float>(corner[1]), static_cast<float>(corner[2])});
-    }
+/// The least height of a triangle.
+double width(const MeshPatch& patch) noexcept {
+  double longest = 0;
+  double normal_square = 0;
+  const Point3& p = patch.corner[0];
+  for (std::size_t k = 0; k != 3; ++k) {
+    const std::size_t i = (k + 1) % 3;
+    const std::size_t j = (k + 2) % 3;
+    const Point3& q = patch.corner[1];
+    const Point3& r = patch.corner[2];
+    const double n = (q[i] - p[i]) * (r[j] - p[j]) - (q[j] - p[j]) * (r[i] - p[i]);
+    normal_square += n * n;
+    const Point3& from = patch.corner[k];
+    const Point3& to = patch.corner[i];
+    longest = std::max(longest, std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]));
   }
+  return std::sqrt(normal_square) / longest;
+}
+
+/// The least width of a patch that is aslant, or the size of patches.
+double narrowest_slanted(const SeesScene& scene) {
+  double narrowest = scene.patch_size;
+  for (std::size_t i = 0; i != scene.patches.size(); ++i) {
+    const Box& box = scene.boxes[i];
+    const bool is_across_axis = box.lo[0] == box.hi[0] || box.lo[1] == box.hi[1] || box.lo[2] == box.hi[2];
+    if (!is_across_axis) narrowest = std::min(narrowest, width(scene.patches[i]));
+  }
+  return narrowest;
+}
+
+/// What planes of patches of this width are off by over the whole scene, as their corners are rounded to floats. If
+/// that were more than a 64th of the width, it is what planes of somewhat wider patches are off by: those of narrower
+/// ones are not reliable.
+float rounding_of_planes(std::span<const Box> boxes, double width) {
+  Box all = boxes.front();
   float largest = 0;
   float longest = 0;
-  for (const Box& box : scene.boxes) {
+  for (const Box& box : boxes) {
     for (std::size_t k = 0; k != 3; ++k) {
       all.lo[k] = std::min(all.lo[k], box.lo[k]);
       all.hi[k] = std::max(all.hi[k], box.hi[k]);
@@ -210,7 +232,22 @@ void add_corners(SeesScene& scene) {
     longest = std::max(longest, all.hi[k] - all.lo[k]);
   }
   const double step = double{std::nextafter(largest, std::numeric_limits<float>::infinity())} - largest;
-  scene.tolerance = static_cast<float>(2 * step * std::max(1.0, longest / scene.patch_size));
+  const double reliable = std::sqrt(64 * 2 * step * longest);
+  return static_cast<float>(2 * step * std::max(1.0, longest / std::max(width, reliable)));
+}
+
+/// Adds the corners of patches, unless three in four of them or more are across an axis: the test between corners takes
+/// a microsecond for each pair that boxes leave undecided, of whatever patches.
+void add_corners(SeesScene& scene) {
+  const auto across = std::count_if(scene.planes.begin(), scene.planes.end(), is_across_axis);
+  if (4 * static_cast<std::size_t>(across) >= 3 * scene.planes.size()) return;
+  for (const MeshPatch& patch : scene.patches) {
+    for (const Point3& corner : patch.corner) {
+      scene.corners.push_back(
+          {static_cast<float>(corner[0]), static_cast<float>(corner[1]), static_cast<float>(corner[2])});
+    }
+  }
+  scene.tolerance = rounding_of_planes(scene.boxes, narrowest_slanted(scene));
 }
 
 }  // namespace
