@@ -111,6 +111,26 @@ def csv():
             assert not os.listdir()
 
 
+def turned():
+    """Patches that are not across an axis, by their corners, up to the tolerance of the whole scene."""
+    os.mkdir("scene")
+    with open("scene/crates.obj", "w", encoding="ascii") as file:
+        for i in range(24):
+            x, y, size = 3.0 * (i % 6), 3.0 * (i // 6), 1 + 0.05 * i
+            file.write(f"o crate{i}\n")
+            for along, across, z in [(i & 1, i >> 1 & 1, i >> 2) for i in range(8)]:
+                u, v = x + size * along, y + size * across
+                file.write(f"v {0.8 * u - 0.6 * v:.9g} {0.6 * u + 0.8 * v:.9g} {size * z:.9g}\n")
+            file.write("f -8 -6 -5 -7\nf -4 -3 -1 -2\nf -8 -7 -3 -4\nf -6 -2 -1 -5\nf -8 -4 -2 -6\nf -7 -5 -1 -3\n")
+    crates = ["scene/crates.obj", "--patches", "0.5"]  # 6 units
+    report = found_by(0, *both, words=crates)
+    assert report["tolerance"] > 0 and report["pairs"]["clear"] > 0 and report["pairs"]["occluded"] > 0, report
+    whole = take_files()
+    for ranks in (1, 3):
+        assert found_by(ranks, *both, words=crates)["pairs"] == report["pairs"]
+        assert take_files() == whole, ranks
+
+
 def is_written():
     """Whether ranks write the file."""
     try:
@@ -193,4 +213,4 @@ def ended():
     asked_to_end(whole)
 
 
-sees_cases = {"sees": on_ranks, "sees_refused": refused, "sees_csv": csv, "sees_ended": ended}
+sees_cases = {"sees": on_ranks, "sees_refused": refused, "sees_csv": csv, "sees_turned": turned, "sees_ended": ended}

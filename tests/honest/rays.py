@@ -46,6 +46,12 @@ def points_in(triangles, count, source):
     return a + s * (b - a) + t * (c - a)
 
 
+def spheres(corners):
+    """Middles and radii of spheres around triangles."""
+    middle = corners.mean(1)
+    return middle, numpy.linalg.norm(corners - middle[:, None], axis=2).max(1)
+
+
 def between(a, b, triangles, low, high):
     """Which triangles reach into the boxes around the pairs and in front of both patches: pairs and triangles, as indices."""
     found = []
@@ -64,7 +70,16 @@ def between(a, b, triangles, low, high):
             keep &= front > offset[part, None]
         pair, triangle = numpy.nonzero(keep)
         found.append((pair + first, triangle))
-    return [numpy.concatenate(x) for x in zip(*found)]
+    pair, triangle = (numpy.concatenate(x) for x in zip(*found))
+    # All rays of a pair pass within a cone around its middle one, and triangles lie in spheres.
+    (from_middle, from_radius), (to_middle, to_radius) = spheres(a), spheres(b)
+    middle, radius = spheres(triangles.corners)
+    start, way = from_middle[pair], (to_middle - from_middle)[pair]
+    share = numpy.einsum("ij,ij->i", middle[triangle] - start, way) / numpy.maximum(numpy.einsum("ij,ij->i", way, way), 1e-300)
+    nearest = start + numpy.clip(share, 0, 1)[:, None] * way
+    reach = numpy.maximum(from_radius, to_radius)[pair] + radius[triangle] + triangles.margin
+    keep = numpy.linalg.norm(middle[triangle] - nearest, axis=1) <= reach
+    return pair[keep], triangle[keep]
 
 
 def meet(p, q, triangles, which, planes):

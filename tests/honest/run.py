@@ -12,7 +12,7 @@ them with NumPy (rays.py). None may contradict the answer:
   facing_away   no point of one patch is in front of the other while a point of the other is in front of it
 
 Counted apart is what touches: rays within `margin` of edges and planes, which is four times the rounding of coordinates or the
-tolerance that the program reports (unclear); pairs that see each other within that margin only, if at all (grazing); and rays
+tolerance that the program reports (unclear); pairs of whose rays none has its ends in front of both patches (grazing); and rays
 within a body, where its surface hides nothing (in a body). Ends with 1 if an answer is contradicted, and prints the first
 such pairs; with 77, "skipped", without NumPy.
 """
