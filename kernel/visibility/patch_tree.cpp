@@ -8,10 +8,14 @@
 
 #include "simd/baseline_four_floats.hpp"
 #include "support/exact_floats.hpp"
+#include "visibility/patch_facings.hpp"
 #include "visibility/patch_halving.hpp"
 
 namespace shaftcull::kernel {
 namespace {
+
+/// Fewer patches are cut by place at once: there are few groups of them.
+constexpr std::size_t fewest_by_facing = PatchTree::most_children * PatchTree::most_patches;
 
 /// Items side by side that are to be a group.
 struct Part {
@@ -57,6 +61,22 @@ float best_of(const float* from, std::size_t count, const Better& better) noexce
   for (std::size_t k = 1; k != 4; ++k) best = better(FourFloats::all(of[k]), best);
   best.store(of);
   return of[0];
+}
+
+/// The parts of the group of all patches: those that face one way each, if there are few of these and many patches.
+std::vector<Part> first_parts_of(std::span<PatchItem> items, PatchHalving& halving) {
+  if (items.size() > fewest_by_facing) {
+    const std::vector<std::size_t> counts = sort_by_facing(items, PatchTree::most_children);
+    if (counts.size() != 1) {
+      std::vector<Part> parts;
+      for (std::size_t first = 0; const std::size_t count : counts) {
+        parts.push_back({first, count, 0});
+        first += count;
+      }
+      return parts;
+    }
+  }
+  return parts_of(items, 0, items.size(), halving);
 }
 
 /// A plane near those of corners; its normal is 0 if they have none.
@@ -193,7 +213,8 @@ PatchTree::PatchTree(const BoxView& boxes, std::span<const Plane> planes) {
       group.first_child = group.first;
       group.children = static_cast<std::uint8_t>(group.count);
     } else {
-      const std::vector<Part> parts = parts_of(items, group.first, group.count, halving);
+      const std::vector<Part> parts =
+          g == 0 && has_planes ? first_parts_of(items, halving) : parts_of(items, group.first, group.count, halving);
       group.first_child = static_cast<std::uint32_t>(groups_.size());
       group.children = static_cast<std::uint8_t>(parts.size());
       for (const Part& part : parts) {

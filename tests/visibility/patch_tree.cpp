@@ -189,5 +189,41 @@ TEST(PatchHalving, CutsWhereNormalsPart) {
   }
 }
 
+/// Patches that face along axes, but for some.
+Patches patches_along_axes(std::size_t count, std::size_t aslant) {
+  Patches patches = patches_of("uniform", count, 3);
+  for (std::size_t i = aslant; i != count; ++i) {
+    patches.planes[i].normal = {0, 0, 0};
+    patches.planes[i].normal[i % 3] = i % 2 == 1 ? 1.0F : -1.0F;
+  }
+  return patches;
+}
+
+TEST(PatchTree, GroupsByFacingBeforePlaceIfMostPatchesFaceFewWays) {
+  const PatchTree tree = tree_of(patches_along_axes(5000, 500));
+  const std::vector<PatchGroup>& groups = tree.groups();
+  ASSERT_EQ(groups[0].children, 7U);
+  for (std::uint32_t g = 1; g != 7; ++g) {
+    for (std::size_t k = 6; k != 9; ++k) {
+      EXPECT_EQ(tree.group_streams().stream(k)[g], tree.group_streams().stream(k + 3)[g]) << "group " << g;
+    }
+  }
+  EXPECT_EQ(groups[7].count, 500U);
+}
+
+TEST(PatchTree, GroupsByPlaceIfPatchesFaceManyWaysOrAreFew) {
+  const auto faces_one_way = [](const PatchTree& tree, std::uint32_t g) {
+    bool is_one = true;
+    for (std::size_t k = 6; k != 9; ++k) {
+      is_one = is_one && tree.group_streams().stream(k)[g] == tree.group_streams().stream(k + 3)[g];
+    }
+    return is_one;
+  };
+  for (const auto& [count, aslant] : {std::pair{5000U, 2000U}, std::pair{500U, 0U}}) {
+    const PatchTree tree = tree_of(patches_along_axes(count, aslant));
+    EXPECT_FALSE(faces_one_way(tree, 1)) << count << " patches";
+  }
+}
+
 }  // namespace
 }  // namespace shaftcull::test

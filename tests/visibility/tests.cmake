@@ -7,6 +7,7 @@ shaftcull_test(visibility PARTS 2
   visibility/errors.cpp
   visibility/flush_walls.cpp
   visibility/patch_tree.cpp
+  visibility/rows.cpp
   visibility/siblings.cpp
   visibility/solids.cpp)
 target_link_libraries(test_visibility PRIVATE shaftcull_oracle)
