@@ -50,8 +50,8 @@ std::uint64_t Ladder::occluded_by_polygons(const std::uint32_t* polygons, std::s
   const BoxCorners fixed(fixed_);
   for (std::size_t i = 0; i != count && (asked & ~occluded) != 0; ++i) {
     const std::uint64_t may = asked & ~occluded & (may_block == nullptr ? ~std::uint64_t{0} : may_block[i]);
-    std::uint64_t met = 0;
-    job_.kernels.keep(siblings_, job_.occluders.polygons.data(), &polygons[i], 1, nullptr, may, &met);
+    std::uint64_t met = 0;  // where the box around it may block: else there is a segment past it, and past the polygon
+    job_.kernels.may_block(siblings_, job_.occluders.polygons.data(), &polygons[i], 1, nullptr, may, &met);
     const PolygonSides& sides = job_.occluders.polygon_sides[polygons[i]];
     const PolygonSides::Reach of_fixed = sides.of(fixed_);
     for_each_lane(met, [&](unsigned lane) {
