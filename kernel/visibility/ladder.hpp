@@ -80,6 +80,7 @@ class Ladder {
               Selection& selection) const;
   [[nodiscard]] std::uint64_t block_corners(const Side& rows, unsigned row, const Side& columns, Selection& solids,
                                             Selection& polygons, std::uint64_t asked);
+  [[nodiscard]] std::uint64_t keep_any_whole(Selection& candidates, std::uint64_t asked);
   [[nodiscard]] std::uint64_t look_at_triangles(const Side& rows, unsigned row, const Side& columns,
                                                 std::uint64_t lanes, Selection& candidates);
   [[nodiscard]] std::uint64_t drop_separate(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes,

@@ -127,8 +127,7 @@ void Ladder::answer_patches(Level& here, const Side& rows, unsigned row, const S
   const auto count = static_cast<unsigned>(std::popcount(lanes));
   const bool have_corners = rows.has_corners() || columns.has_corners();
   const bool have_parts = !occluders.parts.empty();
-  const bool packs =
-      !have_corners && !have_parts && kernels.pack != nullptr && count + most_siblings / 4 <= columns.count;
+  const bool packs = !have_corners && kernels.pack != nullptr && count + most_siblings / 4 <= columns.count;
   const auto spread = [&](std::uint64_t bits) { return packs ? kernels.spread(bits, lanes) : bits; };
   std::uint64_t left = packs ? first_lanes(count) : lanes;
   if (packs) {
@@ -149,21 +148,33 @@ void Ladder::answer_patches(Level& here, const Side& rows, unsigned row, const S
 
   Selection& candidates = here.candidates_of_row;
   select(here.lists.candidates, here.row_candidates, here.column_candidates, row, lanes, packs, candidates);
+  const auto keep = [&](std::uint64_t asked) {
+    return kernels.keep(siblings_, occluders.boxes.data(), candidates.list.data(), candidates.count,
+                        candidates.may.data(), asked, candidates.kept.data());
+  };
+  const auto spread_kept = [&] {
+    for (std::size_t i = 0; packs && i != candidates.count; ++i) candidates.kept[i] = spread(candidates.kept[i]);
+  };
   std::uint64_t undecided = 0;
-  if (job_.wants_candidates || have_corners || have_parts) {
-    undecided = kernels.keep(siblings_, occluders.boxes.data(), candidates.list.data(), candidates.count,
-                             candidates.may.data(), left, candidates.kept.data());
-    for (std::size_t i = 0; packs && i != candidates.count; ++i) {
-      candidates.kept[i] = kernels.spread(candidates.kept[i], lanes);
-    }
+  if (job_.wants_candidates || have_corners) {
+    undecided = spread(keep(left));
+    spread_kept();
+    if (have_parts) undecided = look_at_triangles(rows, row, columns, undecided, candidates);
+    if (have_corners) undecided = drop_separate(rows, row, columns, undecided, candidates);
+  } else if (!have_parts) {
+    undecided = spread(kernels.keep_any(siblings_, occluders.boxes.data(), candidates.list.data(), candidates.count,
+                                        candidates.may.data(), left));
   } else {
-    undecided = kernels.keep_any(siblings_, occluders.boxes.data(), candidates.list.data(), candidates.count,
-                                 candidates.may.data(), left);
+    undecided = keep_any_whole(candidates, left);
+    const std::uint64_t open = keep(left & ~undecided);
+    undecided = spread(undecided);
+    if (open != 0) {
+      spread_kept();
+      undecided |= look_at_triangles(rows, row, columns, spread(open), candidates);
+    }
   }
-  if (have_parts) undecided = look_at_triangles(rows, row, columns, undecided, candidates);
-  if (have_corners) undecided = drop_separate(rows, row, columns, undecided, candidates);
-  decide(rows, row, columns, spread(left & ~undecided), Sight::clear);
-  if (undecided != 0) write_undecided(here, rows, row, columns, spread(undecided));
+  decide(rows, row, columns, spread(left) & ~undecided, Sight::clear);
+  if (undecided != 0) write_undecided(here, rows, row, columns, undecided);
 }
 
 /// Pairs of patches that are undecided, with what level `here` keeps.
