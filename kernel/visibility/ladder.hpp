@@ -93,6 +93,7 @@ class Ladder {
             std::uint64_t asked);
   void form_exchanged(const Side& fixed, unsigned lane, const Side& lanes, std::uint64_t asked);
   [[nodiscard]] std::uint64_t behind(const Side& lanes, std::uint32_t occluder, std::uint64_t asked);
+  [[nodiscard]] std::uint64_t on_one_side_of(const BoxRow& around, std::uint64_t asked) const;
   [[nodiscard]] std::uint64_t occluded_by_polygons(const std::uint32_t* polygons, std::size_t count,
                                                    const std::uint64_t* may_block, std::uint64_t asked) const;
   void decide_rows(const Side& rows, std::uint64_t which, const Side& columns, unsigned column, Sight sight);

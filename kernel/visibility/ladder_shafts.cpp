@@ -43,6 +43,26 @@ void Ladder::form_exchanged(const Side& fixed, unsigned lane, const Side& lanes,
   job_.kernels.form(exchanged_, other, lanes.count, asked, siblings_);
 }
 
+/// Siblings of `asked` of which a segment does not leave one side of a polygon across an axis, or none leaves its
+/// plane; `around` is the box around it. Of a polygon that is aslant, none.
+std::uint64_t Ladder::on_one_side_of(const BoxRow& around, std::uint64_t asked) const {
+  const float(&face)[8] = around.face;
+  const unsigned axis = face[0] == face[3] ? 0 : face[1] == face[4] ? 1 : 2;
+  const float at = face[axis];
+  if (at != face[axis + 3]) return 0;
+  if (fixed_[axis] == at && fixed_[axis + 3] == at) return asked;
+  const auto reaching = [&](bool forwards) {
+    const float sign = forwards ? 1.0F : -1.0F;
+    PlaneRow plane{};
+    plane.least_normal[axis] = plane.largest_normal[axis] = sign;
+    plane.least_offset = sign * at;
+    return ~job_.kernels.behind_group(plane, siblings_.other, siblings_.count);
+  };
+  const std::uint64_t above = reaching(true);
+  const std::uint64_t below = reaching(false);
+  return asked & ((fixed_[axis + 3] > at ? above : 0) | (fixed_[axis] < at ? below : 0) | ~(above | below));
+}
+
 /// Siblings of `asked` that a polygon of a list blocks; may_block[i], unless null, are those that polygon i may.
 std::uint64_t Ladder::occluded_by_polygons(const std::uint32_t* polygons, std::size_t count,
                                            const std::uint64_t* may_block, std::uint64_t asked) const {
@@ -52,6 +72,8 @@ std::uint64_t Ladder::occluded_by_polygons(const std::uint32_t* polygons, std::s
     const std::uint64_t may = asked & ~occluded & (may_block == nullptr ? ~std::uint64_t{0} : may_block[i]);
     std::uint64_t met = 0;  // where the box around it may block: else there is a segment past it, and past the polygon
     job_.kernels.may_block(siblings_, job_.occluders.polygons.data(), &polygons[i], 1, nullptr, may, &met);
+    if (met != 0) met &= ~on_one_side_of(job_.occluders.polygons[polygons[i]], met);
+    if (met == 0) continue;
     const PolygonSides& sides = job_.occluders.polygon_sides[polygons[i]];
     const PolygonSides::Reach of_fixed = sides.of(fixed_);
     for_each_lane(met, [&](unsigned lane) {
