@@ -60,8 +60,14 @@ struct SightScene {
   float tolerance = 0;
 };
 
+/// What polygons a set has.
+enum class PolygonMix : unsigned char {
+  any,           ///< of all kinds
+  sides_beside,  ///< on one side of a plane sides of boxes, on the other such sides and other polygons
+};
+
 /// The scene with polygons in place of the patches of one set or of both.
-SightScene with_corners(SightScene scene, std::uint64_t seed);
+SightScene with_corners(SightScene scene, std::uint64_t seed, PolygonMix mix = PolygonMix::any);
 
 /// A scene of up to `most_patches` in each set.
 SightScene random_sight_scene(SightScenery scenery, std::uint64_t seed, unsigned most_patches);

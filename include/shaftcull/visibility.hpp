@@ -35,8 +35,8 @@
 /// corner of the two behind it and one in front. A turned wall is told apart from its box in this way.
 ///
 /// A group of at most 64 triangles must reach in by one of them, too: by the box around a triangle, in front of both
-/// planes, and, between patches that are not boxes, on neither side of such a plane alone, nor with both patches on one
-/// side of its own plane. So a closed room that is one object hides nothing inside it.
+/// planes, and, if one patch is not the box around it, on neither side of such a plane alone, nor with both patches on
+/// one side of its own plane. So a closed room that is one object hides nothing inside it.
 ///
 /// Patches are stored in a tree, and groups of patches are compared first: an answer for two groups holds for all pairs
 /// in them. So time grows with the number of undecided pairs, and memory stays below a limit for any number of pairs.

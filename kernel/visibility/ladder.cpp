@@ -138,7 +138,7 @@ std::uint64_t Ladder::compare_with_group(Level& level, const Side& lanes, const 
   form(group, 0, lanes, left);
   answer(kernels.block(siblings_, job_.solids.data(), lists.solids.data(), lists.solids.size(), may.data(), left),
          Sight::occluded);
-  answer(occluded_by_polygons(lists.polygons.data(), lists.polygons.size(), nullptr, left), Sight::occluded);
+  answer(occluded_by_polygons(lists.polygons.data(), lists.polygons.size(), nullptr, left, false), Sight::occluded);
   if (left == 0) return 0;
 
   const auto keep = [&](const std::vector<BoxRow>& boxes, const std::vector<std::uint32_t>& list,

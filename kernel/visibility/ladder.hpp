@@ -74,7 +74,10 @@ class Ladder {
   void go_into_itself(std::size_t depth, const Side& rows, unsigned row);
   void answer_row(std::size_t depth, const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes);
   void answer_patches(Level& here, const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes);
-  [[nodiscard]] std::uint64_t block(const Selection& solids, const Selection& polygons, std::uint64_t asked);
+  void answer_boxes(Level& here, const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes);
+  void answer_corners(Level& here, const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes);
+  [[nodiscard]] std::uint64_t block(const Selection& solids, const Selection& polygons, std::uint64_t asked,
+                                    bool are_boxes);
   void select(const std::vector<std::uint32_t>& list, const std::vector<std::uint64_t>& of_rows,
               const std::vector<std::uint64_t>& of_columns, unsigned row, std::uint64_t lanes, bool packed,
               Selection& selection) const;
@@ -82,7 +85,7 @@ class Ladder {
                                             Selection& polygons, std::uint64_t asked);
   [[nodiscard]] std::uint64_t keep_any_whole(Selection& candidates, std::uint64_t asked);
   [[nodiscard]] std::uint64_t look_at_triangles(const Side& rows, unsigned row, const Side& columns,
-                                                std::uint64_t lanes, Selection& candidates);
+                                                std::uint64_t lanes, Selection& candidates, bool needs_all);
   [[nodiscard]] std::uint64_t drop_separate(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes,
                                             Selection& candidates);
   [[nodiscard]] bool any_part_reaches(unsigned lane, std::uint32_t occluder, std::size_t first, const PatchCorners& a,
@@ -95,7 +98,8 @@ class Ladder {
   [[nodiscard]] std::uint64_t behind(const Side& lanes, std::uint32_t occluder, std::uint64_t asked);
   [[nodiscard]] std::uint64_t on_one_side_of(const BoxRow& around, std::uint64_t asked) const;
   [[nodiscard]] std::uint64_t occluded_by_polygons(const std::uint32_t* polygons, std::size_t count,
-                                                   const std::uint64_t* may_block, std::uint64_t asked) const;
+                                                   const std::uint64_t* may_block, std::uint64_t asked,
+                                                   bool are_boxes) const;
   void decide_rows(const Side& rows, std::uint64_t which, const Side& columns, unsigned column, Sight sight);
   void decide(const Side& rows, unsigned row, const Side& columns, std::uint64_t which, Sight sight);
   [[nodiscard]] bool has_planes() const noexcept;

@@ -84,12 +84,8 @@ std::uint64_t Ladder::drop_separate(const Side& rows, unsigned row, const Side& 
   const PatchCorners a = rows.corners(row);
   std::uint64_t left = 0;
   for_each_lane(lanes, [&](unsigned lane) {
-    if (rows.is_box(row) && columns.is_box(lane)) {
-      left |= bit(lane);
-      return;
-    }
     const PatchCorners b = columns.corners(lane);
-    tangents_.find({a.all(), !rows.has_corners()}, {b.all(), !columns.has_corners()});
+    tangents_.find({a.all(), !rows.set.tree.has_corners()}, {b.all(), !columns.set.tree.has_corners()});
     std::size_t part = 0;
     for (std::size_t i = 0; i != candidates.count; part += job_.occluders.parts_of(candidates.list[i]), ++i) {
       if ((candidates.kept[i] & bit(lane)) == 0) continue;

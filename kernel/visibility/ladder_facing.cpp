@@ -39,7 +39,7 @@ FacingPlanes Ladder::Side::facing_planes_of(unsigned lane) const noexcept {
 /// The largest component of a corner of a lane along a direction, or more.
 double Ladder::Side::farthest(unsigned lane, const Direction& direction) const noexcept {
   if (are_patches) return farthest_of(corners(lane).all(), direction);
-  if (has_corners()) return set.tree.turned_groups()[first + lane].box.farthest(direction);
+  if (!has_boxes_only(lane)) return set.tree.turned_groups()[first + lane].box.farthest(direction);
   double sum = 0;
   for (unsigned k = 0; k != 3; ++k) sum += std::max(direction[k] * box[k][lane], direction[k] * box[k + 3][lane]);
   return sum;
@@ -57,17 +57,16 @@ bool Ladder::Side::is_behind(unsigned lane, const Side& other, unsigned other_la
                     double{other.set.tolerance});
 }
 
-/// Patches of a side all of whose corners lie on or behind the planes of a patch of another one.
-std::uint64_t Ladder::Side::corners_behind(const Side& other, unsigned lane, std::uint64_t asked,
+/// Patches of a side that lie on or behind the planes of a patch of another one.
+std::uint64_t Ladder::Side::patches_behind(const Side& other, unsigned lane, std::uint64_t asked,
                                            const SiblingKernels& kernels) const noexcept {
+  const std::uint64_t boxes = asked & ~not_boxes;
+  const std::uint64_t behind = boxes == 0 ? 0 : boxes & kernels.behind_plane(other.plane(lane), box, count);
+  if (boxes == asked) return behind;
   const float* corner[3 * most_patch_corners];
-  const unsigned corners = has_corners() ? set.tree.corner_streams().corners() : most_patch_corners;
-  for (unsigned s = 0; s != 3 * corners; ++s) {
-    const unsigned k = s % 3;
-    corner[s] =
-        has_corners() ? set.tree.corner_streams().streams()[s] + first : box[(s / 3 >> k & 1U) != 0 ? k + 3 : k];
-  }
-  return kernels.corners_behind_plane(other.plane(lane), corner, corners, count, asked);
+  const CornerStreams& streams = set.tree.corner_streams();
+  for (unsigned s = 0; s != 3 * streams.corners(); ++s) corner[s] = streams.streams()[s] + first;
+  return behind | kernels.corners_behind_plane(other.plane(lane), corner, streams.corners(), count, asked & not_boxes);
 }
 
 /// Lanes of `asked` of which no patch and no patch of a lane of another side see each other, since one of the two lies
@@ -75,23 +74,24 @@ std::uint64_t Ladder::Side::corners_behind(const Side& other, unsigned lane, std
 std::uint64_t Ladder::facing_away(const Side& lanes, const Side& one, unsigned lane, std::uint64_t asked) const {
   const SiblingKernels& kernels = job_.kernels;
   if (!lanes.has_planes() && !one.has_planes()) return 0;
-  const bool have_corners = lanes.has_corners() || one.has_corners();
-  if (have_corners && lanes.are_patches && one.are_patches) {
+  const bool one_has_boxes = one.has_boxes_only(lane);
+  float faces[6];
+  one.copy_box(lane, faces);
+  if (lanes.are_patches && one.are_patches && !(lanes.are_boxes() && one_has_boxes)) {
     std::uint64_t away = 0;
-    if (lanes.has_planes()) {
+    if (lanes.has_planes() && one_has_boxes) {
+      away = asked & kernels.behind_planes(lanes.planes, lanes.count, faces, asked);
+    } else if (lanes.has_planes()) {
       const PatchCorners points = one.corners(lane);
       away = kernels.points_behind_planes(lanes.planes, lanes.count, points.all().data(), points.all().size(), asked);
     }
-    if (one.has_planes()) away |= lanes.corners_behind(one, lane, asked & ~away, kernels);
+    if (one.has_planes()) away |= lanes.patches_behind(one, lane, asked & ~away, kernels);
     return away;
   }
-  float faces[6];
-  one.copy_box(lane, faces);
   std::uint64_t away = lanes.with_behind(faces, asked, kernels) | lanes.behind_plane_of(one, lane, kernels);
-  if (!have_corners) return asked & away;
-  for_each_lane(asked & ~away, [&](unsigned other) {
-    if ((lanes.has_corners() && one.is_behind(lane, lanes, other)) ||
-        (one.has_corners() && lanes.is_behind(other, one, lane))) {
+  for_each_lane(asked & ~away & (one_has_boxes ? lanes.not_boxes : ~std::uint64_t{0}), [&](unsigned other) {
+    if ((!lanes.has_boxes_only(other) && one.is_behind(lane, lanes, other)) ||
+        (!one_has_boxes && lanes.is_behind(other, one, lane))) {
       away |= bit(other);
     }
   });
@@ -105,14 +105,14 @@ std::uint64_t Ladder::behind(const Side& lanes, std::uint32_t occluder, std::uin
   std::uint64_t behind = asked & lanes.with_behind(box, asked, job_.kernels);
   std::span<const Vec3> points = job_.occluders.points_of(occluder);
   PatchCorners of_box;
-  if (points.empty() && lanes.has_corners()) {
+  if (points.empty() && lanes.not_boxes != 0) {
     of_box = corners_of_box({{box[0], box[1], box[2]}, {box[3], box[4], box[5]}});
     points = of_box.all();
   }
   if (points.empty() || behind == asked) return behind;
   if (!lanes.are_patches) {
-    if (!lanes.has_corners() || points.size() > few_points) return behind;
-    for_each_lane(asked & ~behind, [&](unsigned lane) {
+    if (points.size() > few_points) return behind;
+    for_each_lane(asked & ~behind & lanes.not_boxes, [&](unsigned lane) {
       const FacingPlanes planes = lanes.facing_planes_of(lane);
       float a[6];
       lanes.copy_box(lane, a);

@@ -16,12 +16,18 @@ struct Ladder::Side {
   bool are_patches;
   unsigned count;
   std::uint32_t first;  ///< a group, or a position in the order of patches
+  /// Lanes that are not the boxes around them; of groups, lanes with such a patch.
+  std::uint64_t not_boxes;
   const float* box[6];
   const float* inward[6];  ///< as Siblings has it
   PlaneStreams planes{};
 
   Side(const SightSet& of, std::uint32_t from, unsigned size, bool patches)
-      : set(of), are_patches(patches), count(size), first(from) {
+      : set(of),
+        are_patches(patches),
+        count(size),
+        first(from),
+        not_boxes(patches ? of.tree.not_boxes(from, size) : of.tree.groups_of_others(from, size)) {
     const PatchStreams& streams = patches ? of.tree.patch_streams() : of.tree.group_streams();
     for (unsigned s = 0; s != 6; ++s) {
       box[s] = streams.stream(s) + from;
@@ -51,11 +57,10 @@ struct Ladder::Side {
   }
 
   [[nodiscard]] bool has_planes() const noexcept { return planes.error != nullptr; }
-  [[nodiscard]] bool has_corners() const noexcept { return set.tree.has_corners(); }
   /// Whether lanes are boxes rather than something in them.
-  [[nodiscard]] bool are_boxes() const noexcept { return are_patches && !has_corners(); }
-  /// Whether a patch is the box around it.
-  [[nodiscard]] bool is_box(unsigned lane) const noexcept { return set.tree.is_box(first + lane); }
+  [[nodiscard]] bool are_boxes() const noexcept { return are_patches && not_boxes == 0; }
+  /// Whether a patch is the box around it, or all patches of a group are.
+  [[nodiscard]] bool has_boxes_only(unsigned lane) const noexcept { return (not_boxes >> lane & 1U) == 0; }
   /// The corners of a patch.
   [[nodiscard]] PatchCorners corners(unsigned lane) const noexcept { return set.tree.corners_of(first + lane); }
   [[nodiscard]] PlaneRow plane(unsigned lane) const noexcept {
@@ -86,10 +91,12 @@ struct Ladder::Side {
     const std::uint32_t begin = groups[first + lane].first;
     return {begin, last.first + last.count - begin};
   }
-  /// Lanes whose boxes lie on or behind all planes of a lane of another side. Of patches with corners, it may say no.
+  /// Lanes whose boxes lie on or behind all planes of a lane of another side. Of patches that are not boxes, it may say
+  /// no.
   [[nodiscard]] std::uint64_t behind_plane_of(const Side& other, unsigned lane, const SiblingKernels& kernels) const {
     if (!other.has_planes()) return 0;
-    return (other.are_boxes() ? kernels.behind_plane : kernels.behind_group)(other.plane(lane), box, count);
+    const bool is_patch = other.are_patches && other.has_boxes_only(lane);
+    return (is_patch ? kernels.behind_plane : kernels.behind_group)(other.plane(lane), box, count);
   }
   /// Lanes on or behind all of whose planes a box lies, likewise. Those that are not asked may be anything.
   [[nodiscard]] std::uint64_t with_behind(const float* faces, std::uint64_t asked,
@@ -100,7 +107,7 @@ struct Ladder::Side {
   [[nodiscard]] bool reaches_into(unsigned lane, const float (&solid)[6]) const noexcept;
   [[nodiscard]] FacingPlanes facing_planes_of(unsigned lane) const noexcept;
   [[nodiscard]] bool is_behind(unsigned lane, const Side& other, unsigned other_lane) const noexcept;
-  [[nodiscard]] std::uint64_t corners_behind(const Side& other, unsigned lane, std::uint64_t asked,
+  [[nodiscard]] std::uint64_t patches_behind(const Side& other, unsigned lane, std::uint64_t asked,
                                              const SiblingKernels& kernels) const noexcept;
 
  private:

@@ -58,7 +58,7 @@ void Ladder::answer_row(std::size_t depth, const Side& rows, unsigned row, const
   Selection& candidates = here.candidates_of_row;
   select(here.lists.solids, here.row_solids, here.column_solids, row, lanes, false, solids);
   select(here.lists.polygons, here.row_polygons, here.column_polygons, row, lanes, false, polygons);
-  const std::uint64_t occluded = block(solids, polygons, lanes);
+  const std::uint64_t occluded = block(solids, polygons, lanes, false);
   decide(rows, row, columns, occluded, Sight::occluded);
   lanes &= ~occluded;
   if (lanes == 0) return;
@@ -97,10 +97,11 @@ void Ladder::answer_row(std::size_t depth, const Side& rows, unsigned row, const
 }
 
 /// Siblings of `asked` that a solid or a polygon blocks.
-std::uint64_t Ladder::block(const Selection& solids, const Selection& polygons, std::uint64_t asked) {
+std::uint64_t Ladder::block(const Selection& solids, const Selection& polygons, std::uint64_t asked, bool are_boxes) {
   const std::uint64_t occluded =
       job_.kernels.block(siblings_, job_.solids.data(), solids.list.data(), solids.count, solids.may.data(), asked);
-  return occluded | occluded_by_polygons(polygons.list.data(), polygons.count, polygons.may.data(), asked & ~occluded);
+  return occluded |
+         occluded_by_polygons(polygons.list.data(), polygons.count, polygons.may.data(), asked & ~occluded, are_boxes);
 }
 
 /// Selects what one row and some column of `lanes` may have to do with.
@@ -116,18 +117,24 @@ void Ladder::select(const std::vector<std::uint32_t>& list, const std::vector<st
                                         packed, selection.list.data(), selection.may.data());
 }
 
-/// Answers a patch with those of the other side that are in `lanes`: the innermost loop.
+/// Answers a patch with those of the other side that are in `lanes`.
 void Ladder::answer_patches(Level& here, const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes) {
   if (here.lists.candidates.empty() && here.lists.solids.empty() && here.lists.polygons.empty()) {
     return decide(rows, row, columns, lanes, Sight::clear);
   }
+  const std::uint64_t others = rows.has_boxes_only(row) ? lanes & columns.not_boxes : lanes;
+  if (others != lanes) answer_boxes(here, rows, row, columns, lanes & ~others);
+  if (others != 0) answer_corners(here, rows, row, columns, others);
+}
+
+/// Likewise where all are the boxes around them: the innermost loop.
+void Ladder::answer_boxes(Level& here, const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes) {
   const SiblingKernels& kernels = job_.kernels;
   const OccluderData& occluders = job_.occluders;
   // Side by side, fewer vectors hold those that are left.
   const auto count = static_cast<unsigned>(std::popcount(lanes));
-  const bool have_corners = rows.has_corners() || columns.has_corners();
   const bool have_parts = !occluders.parts.empty();
-  const bool packs = !have_corners && kernels.pack != nullptr && count + most_siblings / 4 <= columns.count;
+  const bool packs = kernels.pack != nullptr && count + most_siblings / 4 <= columns.count;
   const auto spread = [&](std::uint64_t bits) { return packs ? kernels.spread(bits, lanes) : bits; };
   std::uint64_t left = packs ? first_lanes(count) : lanes;
   if (packs) {
@@ -138,10 +145,7 @@ void Ladder::answer_patches(Level& here, const Side& rows, unsigned row, const S
   }
   select(here.lists.solids, here.row_solids, here.column_solids, row, lanes, packs, here.solids_of_row);
   select(here.lists.polygons, here.row_polygons, here.column_polygons, row, lanes, packs, here.polygons_of_row);
-  std::uint64_t occluded = block(here.solids_of_row, here.polygons_of_row, left);
-  if (have_corners) {
-    occluded |= block_corners(rows, row, columns, here.solids_of_row, here.polygons_of_row, left & ~occluded);
-  }
+  const std::uint64_t occluded = block(here.solids_of_row, here.polygons_of_row, left, true);
   decide(rows, row, columns, spread(occluded), Sight::occluded);
   left &= ~occluded;
   if (left == 0) return;
@@ -156,11 +160,10 @@ void Ladder::answer_patches(Level& here, const Side& rows, unsigned row, const S
     for (std::size_t i = 0; packs && i != candidates.count; ++i) candidates.kept[i] = spread(candidates.kept[i]);
   };
   std::uint64_t undecided = 0;
-  if (job_.wants_candidates || have_corners) {
+  if (job_.wants_candidates) {
     undecided = spread(keep(left));
     spread_kept();
-    if (have_parts) undecided = look_at_triangles(rows, row, columns, undecided, candidates);
-    if (have_corners) undecided = drop_separate(rows, row, columns, undecided, candidates);
+    if (have_parts) undecided = look_at_triangles(rows, row, columns, undecided, candidates, false);
   } else if (!have_parts) {
     undecided = spread(kernels.keep_any(siblings_, occluders.boxes.data(), candidates.list.data(), candidates.count,
                                         candidates.may.data(), left));
@@ -170,10 +173,31 @@ void Ladder::answer_patches(Level& here, const Side& rows, unsigned row, const S
     undecided = spread(undecided);
     if (open != 0) {
       spread_kept();
-      undecided |= look_at_triangles(rows, row, columns, spread(open), candidates);
+      undecided |= look_at_triangles(rows, row, columns, spread(open), candidates, false);
     }
   }
   decide(rows, row, columns, spread(left) & ~undecided, Sight::clear);
+  if (undecided != 0) write_undecided(here, rows, row, columns, undecided);
+}
+
+/// Likewise where one of each two patches is not the box around it: what boxes leave open, corners may decide.
+void Ladder::answer_corners(Level& here, const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes) {
+  form(rows, row, columns, lanes);
+  select(here.lists.solids, here.row_solids, here.column_solids, row, lanes, false, here.solids_of_row);
+  select(here.lists.polygons, here.row_polygons, here.column_polygons, row, lanes, false, here.polygons_of_row);
+  std::uint64_t occluded = block(here.solids_of_row, here.polygons_of_row, lanes, false);
+  occluded |= block_corners(rows, row, columns, here.solids_of_row, here.polygons_of_row, lanes & ~occluded);
+  decide(rows, row, columns, occluded, Sight::occluded);
+  const std::uint64_t left = lanes & ~occluded;
+  if (left == 0) return;
+
+  Selection& candidates = here.candidates_of_row;
+  select(here.lists.candidates, here.row_candidates, here.column_candidates, row, lanes, false, candidates);
+  std::uint64_t undecided = job_.kernels.keep(siblings_, job_.occluders.boxes.data(), candidates.list.data(),
+                                              candidates.count, candidates.may.data(), left, candidates.kept.data());
+  if (!job_.occluders.parts.empty()) undecided = look_at_triangles(rows, row, columns, undecided, candidates, true);
+  undecided = drop_separate(rows, row, columns, undecided, candidates);
+  decide(rows, row, columns, left & ~undecided, Sight::clear);
   if (undecided != 0) write_undecided(here, rows, row, columns, undecided);
 }
 

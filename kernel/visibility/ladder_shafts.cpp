@@ -33,11 +33,11 @@ void Ladder::form(const Side& fixed, unsigned lane, const float* const* boxes, c
   siblings_.solids_around_ends = job_.solids_around_ends;
 }
 
-/// Likewise, with lo and hi exchanged of what is not a box itself, as may_block() wants them.
+/// Likewise, with lo and hi exchanged of a side that has something other than boxes, as may_block() wants them.
 void Ladder::form_exchanged(const Side& fixed, unsigned lane, const Side& lanes, std::uint64_t asked) {
   const float* other[6];
   for (unsigned f = 0; f != 6; ++f) {
-    exchanged_[f] = fixed.box[fixed.are_boxes() ? f : (f + 3) % 6][lane];
+    exchanged_[f] = fixed.box[fixed.are_patches && fixed.has_boxes_only(lane) ? f : (f + 3) % 6][lane];
     other[f] = lanes.box[lanes.are_boxes() ? f : (f + 3) % 6];
   }
   job_.kernels.form(exchanged_, other, lanes.count, asked, siblings_);
@@ -63,9 +63,10 @@ std::uint64_t Ladder::on_one_side_of(const BoxRow& around, std::uint64_t asked) 
   return asked & ((fixed_[axis + 3] > at ? above : 0) | (fixed_[axis] < at ? below : 0) | ~(above | below));
 }
 
-/// Siblings of `asked` that a polygon of a list blocks; may_block[i], unless null, are those that polygon i may.
+/// Siblings of `asked` that a polygon of a list blocks; may_block[i], unless null, are those that polygon i may. If the
+/// siblings are boxes rather than something in them, it answers for them exactly.
 std::uint64_t Ladder::occluded_by_polygons(const std::uint32_t* polygons, std::size_t count,
-                                           const std::uint64_t* may_block, std::uint64_t asked) const {
+                                           const std::uint64_t* may_block, std::uint64_t asked, bool are_boxes) const {
   std::uint64_t occluded = 0;
   const BoxCorners fixed(fixed_);
   for (std::size_t i = 0; i != count && (asked & ~occluded) != 0; ++i) {
@@ -86,10 +87,12 @@ std::uint64_t Ladder::occluded_by_polygons(const std::uint32_t* polygons, std::s
       const BoxCorners of_other(other);
       if (!blocks(fixed.get(), of_other.get(), polygon)) return;
       const float tolerance = job_.a.tolerance;
-      if (tolerance > 0 &&
-          !(keep_off_planes(fixed.get(), polygon, tolerance) && keep_off_planes(of_other.get(), polygon, tolerance))) {
-        return;  // a patch of the polygon's own wall may be a little behind it
-      }
+      // A patch of the polygon's own wall may be a little behind it.
+      const auto may_lie_in_plane = [&](const BoxCorners& end) {
+        return are_boxes ? lie_in_plane(end.get(), polygon, tolerance)
+                         : !keep_off_planes(end.get(), polygon, tolerance);
+      };
+      if (tolerance > 0 && (may_lie_in_plane(fixed) || may_lie_in_plane(of_other))) return;
       occluded |= bit(lane);
     });
   }

@@ -42,13 +42,13 @@ std::uint64_t Ladder::keep_any_whole(Selection& candidates, std::uint64_t asked)
 }
 
 /// Of a row of pairs, in which the boxes around groups keep candidates: drops groups none of whose triangles reaches
-/// in, by the box around it, in front of both patches. Returns the lanes in which candidates are left. If nobody wants
-/// candidates, one of them is enough, unless patches have corners.
+/// in, by the box around it, in front of both patches. Returns the lanes in which candidates are left. If it
+/// `needs_all` triangles, their lanes are in part_lanes_ afterwards. If it does not, and nobody wants candidates, one
+/// of them is enough.
 std::uint64_t Ladder::look_at_triangles(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes,
-                                        Selection& candidates) {
+                                        Selection& candidates, bool needs_all) {
   const SiblingKernels& kernels = job_.kernels;
   const OccluderData& occluders = job_.occluders;
-  const bool have_corners = rows.has_corners() || columns.has_corners();
   std::uint64_t with_parts = 0;
   for (std::size_t i = 0; i != candidates.count; ++i) {
     if (occluders.parts_of(candidates.list[i]) != 0) with_parts |= candidates.kept[i];
@@ -73,7 +73,7 @@ std::uint64_t Ladder::look_at_triangles(const Side& rows, unsigned row, const Si
   for (std::size_t i = 0; i != candidates.count; ++i) {
     const std::size_t parts = occluders.parts_of(candidates.list[i]);
     std::uint64_t asked = candidates.kept[i] & lanes;
-    if (!have_corners && !job_.wants_candidates) asked &= ~left;
+    if (!needs_all && !job_.wants_candidates) asked &= ~left;
     if (parts == 0) {
       candidates.kept[i] = asked;
       left |= asked;
@@ -92,12 +92,12 @@ std::uint64_t Ladder::look_at_triangles(const Side& rows, unsigned row, const Si
       std::uint64_t& of_part = kept[part];
       if (of_part == 0) continue;
       if (packs) of_part = kernels.spread(of_part, with_parts);
-      if (!have_corners) of_part &= ~reached;
+      if (!needs_all) of_part &= ~reached;
       if (of_part == 0) continue;
       of_part = behind(rows, first + part, bit(row)) != 0 ? 0 : of_part & ~behind(columns, first + part, of_part);
       reached |= of_part;
     }
-    if (have_corners) part_lanes_.insert(part_lanes_.end(), kept.data(), kept.data() + parts);
+    if (needs_all) part_lanes_.insert(part_lanes_.end(), kept.data(), kept.data() + parts);
     candidates.kept[i] = reached;
     left |= reached;
   }

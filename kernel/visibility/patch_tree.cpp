@@ -8,6 +8,7 @@
 
 #include "simd/baseline_four_floats.hpp"
 #include "support/exact_floats.hpp"
+#include "visibility/lanes.hpp"
 #include "visibility/patch_facings.hpp"
 #include "visibility/patch_halving.hpp"
 
@@ -77,6 +78,15 @@ std::vector<Part> first_parts_of(std::span<PatchItem> items, PatchHalving& halvi
     }
   }
   return parts_of(items, 0, items.size(), halving);
+}
+
+/// At most 64 bits of words, from one on.
+std::uint64_t bits_at(const std::vector<std::uint64_t>& words, std::size_t from, unsigned count) noexcept {
+  const std::size_t word = from / 64;
+  const unsigned shift = from % 64;
+  std::uint64_t bits = words[word] >> shift;
+  if (shift != 0 && word + 1 != words.size()) bits |= words[word + 1] << (64 - shift);
+  return bits & first_lanes(count);
 }
 
 /// A plane near those of corners; its normal is 0 if they have none.
@@ -165,6 +175,14 @@ PatchCorners PatchTree::corners_of(std::size_t position) const noexcept {
   return corners_of_box(box);
 }
 
+std::uint64_t PatchTree::not_boxes(std::size_t position, unsigned count) const noexcept {
+  return not_boxes_.empty() ? 0 : bits_at(not_boxes_, position, count);
+}
+
+std::uint64_t PatchTree::groups_of_others(std::size_t group, unsigned count) const noexcept {
+  return groups_of_others_.empty() ? 0 : bits_at(groups_of_others_, group, count);
+}
+
 PatchTree::PatchTree(std::span<const Vec3> corners, std::span<const std::size_t> first_corner) {
   if (first_corner.size() < 2) return;
   const std::size_t count = first_corner.size() - 1;
@@ -183,10 +201,16 @@ PatchTree::PatchTree(std::span<const Vec3> corners, std::span<const std::size_t>
   }
   *this = PatchTree(BoxStream(boxes).view(), planes);
   corner_streams_ = CornerStreams(count, static_cast<unsigned>(most));
-  is_box_.resize(count);
+  not_boxes_.resize(bit_words(count));
   for (std::size_t i = 0; i != count; ++i) {
     corner_streams_.set(i, corners_at(order_[i]));
-    is_box_[i] = are_corners_of_box(corners_at(order_[i]), boxes[order_[i]]);
+    if (!are_corners_of_box(corners_at(order_[i]), boxes[order_[i]])) not_boxes_[i / 64] |= bit(i % 64);
+  }
+  groups_of_others_.resize(bit_words(groups_.size()));
+  for (std::size_t g = groups_.size(); g-- > 0;) {  // children come after their parents
+    const PatchGroup& group = groups_[g];
+    const auto& children = group.has_patches ? not_boxes_ : groups_of_others_;
+    if (bits_at(children, group.first_child, group.children) != 0) groups_of_others_[g / 64] |= bit(g % 64);
   }
   turned_groups_ = kernel::turned_groups(*this);
 }

@@ -113,8 +113,10 @@ class PatchTree {
   [[nodiscard]] const CornerStreams& corner_streams() const noexcept { return corner_streams_; }
   /// Of the patch at a position of the order: its corners, or the different ones of its box.
   [[nodiscard]] PatchCorners corners_of(std::size_t position) const noexcept;
-  /// Whether a patch is the box around it.
-  [[nodiscard]] bool is_box(std::size_t position) const noexcept { return !has_corners() || is_box_[position]; }
+  /// Of at most 64 patches from a position on: bits of those that are not the boxes around them.
+  [[nodiscard]] std::uint64_t not_boxes(std::size_t position, unsigned count) const noexcept;
+  /// Of at most 64 groups: bits of those that have such a patch.
+  [[nodiscard]] std::uint64_t groups_of_others(std::size_t group, unsigned count) const noexcept;
   /// Of each group, if patches have corners.
   [[nodiscard]] const std::vector<TurnedGroup>& turned_groups() const noexcept { return turned_groups_; }
   /// The largest magnitude of a coordinate of a box.
@@ -127,7 +129,8 @@ class PatchTree {
   PatchStreams group_streams_;
   std::array<std::vector<float>, 6> group_inward_;
   CornerStreams corner_streams_;
-  std::vector<bool> is_box_;
+  std::vector<std::uint64_t> not_boxes_;         ///< a bit for each patch; none if all are boxes
+  std::vector<std::uint64_t> groups_of_others_;  ///< likewise for each group
   std::vector<TurnedGroup> turned_groups_;
   float largest_coordinate_ = 0;
 };

@@ -41,7 +41,7 @@ std::uint64_t checksum_of(const SeesScene& scene) {
   const auto add = [&](const auto& values) { sum.add(std::as_bytes(std::span(values))); };
   add(scene.boxes);
   add(scene.planes);
-  add(scene.corners);
+  add(scene.outlines.corners);
   for (const MeshPatch& patch : scene.patches) add(patch.corner);
   for (std::size_t i = 0; i < scene.occluders.size(); ++i) {
     const Box box = scene.occluders.box(i);

@@ -12,6 +12,7 @@
 #include "name_pattern.hpp"
 #include "name_search.hpp"
 #include "shaftcull/error.hpp"
+#include "shaftcull/geometry.hpp"
 #include "shaftcull/solids.hpp"
 #include "shaftcull/triangles.hpp"
 #include "solid_shape.hpp"
@@ -180,10 +181,6 @@ void scale(MeshScene& mesh, double factor) {
   }
 }
 
-bool is_across_axis(const Plane& plane) noexcept {
-  return std::count(plane.normal.begin(), plane.normal.end(), 0.0F) == 2;
-}
-
 /// The least height of a triangle.
 double width(const MeshPatch& patch) noexcept {
   double longest = 0;
@@ -221,12 +218,7 @@ float rounding_of_planes(std::span<const Box> boxes, double width) {
   Box all = boxes.front();
   float largest = 0;
   float longest = 0;
-  for (const Box& box : boxes) {
-    for (std::size_t k = 0; k != 3; ++k) {
-      all.lo[k] = std::min(all.lo[k], box.lo[k]);
-      all.hi[k] = std::max(all.hi[k], box.hi[k]);
-    }
-  }
+  for (const Box& box : boxes) all = joined(all, box);
   for (std::size_t k = 0; k != 3; ++k) {
     largest = std::max({largest, std::fabs(all.lo[k]), std::fabs(all.hi[k])});
     longest = std::max(longest, all.hi[k] - all.lo[k]);
@@ -236,40 +228,17 @@ float rounding_of_planes(std::span<const Box> boxes, double width) {
   return static_cast<float>(2 * step * std::max(1.0, longest / std::max(width, reliable)));
 }
 
-/// Adds the corners of patches, unless three in four of them or more are across an axis: the test between corners takes
-/// a microsecond for each pair that boxes leave undecided, of whatever patches.
-void add_corners(SeesScene& scene) {
-  const auto across = std::count_if(scene.planes.begin(), scene.planes.end(), is_across_axis);
-  if (4 * static_cast<std::size_t>(across) >= 3 * scene.planes.size()) return;
-  for (const MeshPatch& patch : scene.patches) {
-    for (const Point3& corner : patch.corner) {
-      scene.corners.push_back(
-          {static_cast<float>(corner[0]), static_cast<float>(corner[1]), static_cast<float>(corner[2])});
-    }
-  }
-  scene.tolerance = rounding_of_planes(scene.boxes, narrowest_slanted(scene));
-}
-
 }  // namespace
 
 PatchSet SeesScene::patch_set(std::span<const std::uint32_t> some) const {
-  if (corners.empty()) {
-    std::vector<Box> some_boxes;
-    std::vector<Plane> some_planes;
-    for (const std::uint32_t patch : some) {
-      some_boxes.push_back(boxes[patch]);
-      if (!planes.empty()) some_planes.push_back(planes[patch]);
-    }
-    return PatchSet{std::span<const Box>(some_boxes), std::span<const Plane>(some_planes)};
-  }
-  std::vector<Vec3> some_corners;
-  std::vector<std::size_t> first{0};
+  if (!outlines.empty()) return outlines.set_of(some);
+  std::vector<Box> some_boxes;
+  std::vector<Plane> some_planes;
   for (const std::uint32_t patch : some) {
-    some_corners.insert(some_corners.end(), corners.begin() + 3 * std::ptrdiff_t{patch},
-                        corners.begin() + 3 * std::ptrdiff_t{patch} + 3);
-    first.push_back(some_corners.size());
+    some_boxes.push_back(boxes[patch]);
+    if (!planes.empty()) some_planes.push_back(planes[patch]);
   }
-  return PatchSet(some_corners, first);
+  return PatchSet{std::span<const Box>(some_boxes), std::span<const Plane>(some_planes)};
 }
 
 SeesScene make_sees_scene(MeshScene mesh, const SeesChoice& choice, const std::string& source) {
@@ -288,7 +257,8 @@ SeesScene make_sees_scene(MeshScene mesh, const SeesChoice& choice, const std::s
     scene.boxes.push_back(box_of(patch));
     if (!choice.two_sided) scene.planes.push_back(plane_of(scene.mesh.triangles[patch.triangle]));
   }
-  add_corners(scene);
+  if (!choice.two_sided) scene.outlines = outlines_of(scene.mesh.triangles, scene.patches, scene.boxes);
+  if (!scene.outlines.empty()) scene.tolerance = rounding_of_planes(scene.boxes, narrowest_slanted(scene));
   OccluderMaker(scene).make(objects_of(scene.mesh, choice.solid, source), choice);
   return scene;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mesh.hpp"
+#include "patch_outlines.hpp"
 #include "patches.hpp"
 #include "shaftcull/visibility.hpp"
 
@@ -40,10 +41,8 @@ struct SeesScene {
   std::vector<MeshPatch> patches;
   std::vector<Box> boxes;     ///< one for each patch
   std::vector<Plane> planes;  ///< likewise; empty if patches are two-sided
-  /// Three for each patch. Empty if patches are two-sided, and if three in four of them or more are across an axis:
-  /// such a patch and the box around it lie in one plane.
-  std::vector<Vec3> corners;
-  float tolerance;  ///< of corners, as VisibilityOptions has it
+  PatchOutlines outlines;     ///< none if patches are two-sided, or all of them are boxes
+  float tolerance;            ///< of outlines, as VisibilityOptions has it
   Occluders occluders;
   /// Of each occluder, as positions in mesh.triangles.
   std::vector<std::vector<std::uint32_t>> occluder_triangles;

@@ -106,6 +106,23 @@ TEST_F(CliSeesMesh, ATurnedSolidWallIsTaken) {
               Each(testing::AnyOf("undecided,0", "occluded,")));
 }
 
+TEST_F(CliSeesMesh, OneSlantedRoofAmongManyWallsIsAnsweredByItsCorners) {
+  // A square that leans, in two triangles, and ten walls in one plane below it: the roof's box sticks out of its plane.
+  std::string obj = "o roof\nv 0 0 10\nv 1 0 11\nv 1 1 11\nv 0 1 10\nf 1 2 3 4\no walls\n";
+  for (int i = 0; i < 10; ++i) {
+    const std::string lo = std::to_string(2 * i);
+    const std::string hi = std::to_string(2 * i + 1);
+    for (const std::string& corner : {lo + " 0", hi + " 0", hi + " 1", lo + " 1"}) obj += "v " + corner + " 0\n";
+    const int first = 5 + 4 * i;
+    obj += "f " + std::to_string(first) + ' ' + std::to_string(first + 1) + ' ' + std::to_string(first + 2) + ' ' +
+           std::to_string(first + 3) + '\n';
+  }
+  const std::string path = folder_.write("roof.obj", obj);
+  const auto pairs = nlohmann::json::parse(output_of({"sees", path, "--patches", "9", "--format", "json"}))["pairs"];
+  EXPECT_EQ(pairs["facing_away"], 22 * 21 / 2);  // the roof faces up, and each wall too
+  EXPECT_EQ(pairs["clear"], 0);
+}
+
 TEST_F(CliSeesMesh, FacetsThatTurnAwayFaceAwayUnlessTheyHaveTwoSides) {
   const std::string away = folder_.write("away.obj",
                                          "o left\nv 0 -1 -1\nv 0 1 -1\nv 0 1 1\nf 3 2 1\n"

@@ -50,19 +50,21 @@ void add_crowd(SightScene& scene, std::uint64_t seed) {
 }
 
 /// What is done to a scene.
-enum class Change { none, crowd, corners };
+enum class Change { none, crowd, corners, sides_and_corners };
 
 void expect_right(SightScenery scenery, std::uint64_t seeds, unsigned most_patches, std::uint64_t first_seed = 1,
                   Change change = Change::none) {
   for (std::uint64_t seed = first_seed; seed != first_seed + seeds; ++seed) {
     SCOPED_TRACE(std::string("random_sight_scene(") + name(scenery) + ", " + std::to_string(seed) + ", " +
                  std::to_string(most_patches) + ")" +
-                 (change == Change::crowd     ? " in a crowd"
-                  : change == Change::corners ? " with corners"
-                                              : ""));
+                 (change == Change::crowd               ? " in a crowd"
+                  : change == Change::corners           ? " with corners"
+                  : change == Change::sides_and_corners ? " with sides of boxes, and corners"
+                                                        : ""));
     SightScene scene = random_sight_scene(scenery, seed, most_patches);
     if (change == Change::crowd) add_crowd(scene, seed);
     if (change == Change::corners) scene = with_corners(std::move(scene), seed);
+    if (change == Change::sides_and_corners) scene = with_corners(std::move(scene), seed, PolygonMix::sides_beside);
     const SightCase of(std::move(scene));
     const SightTruths truths(of);
     Visibility first;
@@ -96,7 +98,8 @@ void expect_all_right(SightScenery scenery, std::uint64_t small, std::uint64_t l
   seen = {};
   expect_right(scenery, random_cases(small), 24, 1, change);
   if (testing::Test::HasFailure()) return;
-  expect_right(scenery, random_cases(large), change == Change::corners ? 100 : 220, 1000, change);
+  const bool has_corners = change == Change::corners || change == Change::sides_and_corners;
+  expect_right(scenery, random_cases(large), has_corners ? 100 : 220, 1000, change);
   std::cout << name(scenery) << ": undecided " << seen.undecided << ", clear " << seen.clear << ", occluded "
             << seen.occluded << ", facing away " << seen.facing_away << "\n";
   EXPECT_GT(seen.undecided, random_cases(100));
@@ -128,6 +131,17 @@ TEST(Visibility, IsRightForPolygonsOfAnyMagnitude) { expect_all_right(SightScene
 TEST(Visibility, IsRightForPolygonsOfDenormals) { expect_all_right(SightScenery::tiny, 30, 1, Change::corners); }
 TEST(Visibility, IsRightForPolygonsUpToTheLargestFloat) {
   expect_all_right(SightScenery::huge, 30, 1, Change::corners);
+}
+
+// Where two of a pair are the boxes around them, answers are those of boxes, whatever else is in their groups.
+TEST(Visibility, IsRightForSidesOfBoxesBesidePolygonsInLattices) {
+  expect_all_right(SightScenery::lattice, 50, 3, Change::sides_and_corners);
+}
+TEST(Visibility, IsRightForSidesOfBoxesBesidePolygonsInRooms) {
+  expect_all_right(SightScenery::room, 50, 3, Change::sides_and_corners);
+}
+TEST(Visibility, IsRightForSidesOfBoxesBesidePolygonsOfRandomFloats) {
+  expect_all_right(SightScenery::uniform, 30, 2, Change::sides_and_corners);
 }
 
 TEST(Visibility, IsWhatItIsAmongManyOccluders) {
