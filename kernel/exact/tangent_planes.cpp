@@ -27,6 +27,7 @@ int TangentPlanes::Tangent::side(const Vec3& x, float tolerance) const noexcept 
     sum += normal_[k] * along - double{tolerance} * std::fabs(normal_[k]);
     magnitude += magnitude_[k] * (std::fabs(along) + double{tolerance});
   }
+  if (magnitude == 0) return 0;  // no product of three differences underflows
   // As height_sign() has it: a term rounds fewer than 12 times.
   if (std::fabs(sum) > 24 * 0x1p-53 * magnitude) return sum > 0 ? 1 : -1;
   return height_sign(p_, q_, r_, x, tolerance);
@@ -46,30 +47,48 @@ bool TangentPlanes::Tangent::is_behind(const TurnedBox& box, float tolerance) co
   return farthest < -0x1p-38 * magnitude * (size + box.size + double{tolerance});
 }
 
-void TangentPlanes::find(const Patch& a, const Patch& b) {
-  planes_.clear();
-  add_through_edges(a, b);
-  add_through_edges(b, a);
+/// Whether all points lie behind; with open contact, on it or behind it.
+bool TangentPlanes::Tangent::has_behind(const Points& points, Contact contact, float tolerance) const noexcept {
+  if (points.around != nullptr && is_behind(*points.around, tolerance)) return true;
+  const int most = contact == Contact::open ? 0 : -1;
+  return std::all_of(points.all.begin(), points.all.end(), [&](const Vec3& x) { return side(x, tolerance) <= most; });
 }
 
-void TangentPlanes::add_through_edges(const Patch& edges, const Patch& other) {
-  const std::size_t corners = edges.corners.size();
-  for (std::size_t i = 0; i + 1 < corners; ++i) {
-    for (std::size_t j = i + 1; j != corners; ++j) {
-      const bool is_edge = edges.is_box || j == i + 1 || (i == 0 && j + 1 == corners);
-      if (!is_edge || edges.corners[i] == edges.corners[j]) continue;
-      for (std::size_t k = 0; k != other.corners.size(); ++k) add(edges.corners, i, j, other.corners, k);
+void TangentPlanes::Places::add_edges_of(const Patch& edges, std::size_t corners, bool is_of_second) {
+  const std::size_t count = edges.corners.size();
+  for (std::size_t i = 0; i + 1 < count; ++i) {
+    for (std::size_t j = i + 1; j != count; ++j) {
+      if (!edges.is_box && j != i + 1 && (i != 0 || j + 1 != count)) continue;
+      for (std::size_t k = 0; k != corners; ++k) {
+        order.push_back(static_cast<std::uint16_t>(all.size()));
+        all.push_back(
+            {is_of_second, static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j), static_cast<std::uint8_t>(k)});
+      }
     }
   }
 }
 
-/// Adds the plane through corners i and j of one patch and corner k of the other, if it touches both.
-void TangentPlanes::add(std::span<const Vec3> one, std::size_t i, std::size_t j, std::span<const Vec3> other,
-                        std::size_t k) {
-  const Vec3& p = one[i];
-  const Vec3& q = one[j];
-  const Vec3& r = other[k];
-  if (r == p || r == q) return;  // as between neighbours
+void TangentPlanes::begin(const Patch& a, const Patch& b) {
+  a_ = a;
+  b_ = b;
+  const auto kind = [](const Patch& patch) { return 2 * patch.corners.size() + (patch.is_box ? 1 : 0); };
+  places_ = &places_of_kinds_[kind(a) * most_kinds + kind(b)];
+  if (places_->all.empty()) {
+    places_->add_edges_of(a, b.corners.size(), false);
+    places_->add_edges_of(b, a.corners.size(), true);
+  }
+  states_.assign(places_->all.size(), State::unknown);
+  if (planes_.size() < states_.size()) planes_.resize(states_.size());
+}
+
+/// The plane at a place, if it touches both patches.
+std::optional<TangentPlanes::Tangent> TangentPlanes::tangent_at(const Place& place) const noexcept {
+  const std::span<const Vec3> one = place.is_of_second ? b_.corners : a_.corners;
+  const std::span<const Vec3> other = place.is_of_second ? a_.corners : b_.corners;
+  const Vec3& p = one[place.i];
+  const Vec3& q = one[place.j];
+  const Vec3& r = other[place.k];
+  if (p == q || r == p || r == q) return std::nullopt;  // as between neighbours
   const Tangent plane(p, q, r);
   int front = 0;
   const auto turns = [&](const Vec3& corner) {
@@ -79,22 +98,33 @@ void TangentPlanes::add(std::span<const Vec3> one, std::size_t i, std::size_t j,
     return side != front;
   };
   for (std::size_t c = 0; c != one.size(); ++c) {
-    if (c != i && c != j && turns(one[c])) return;
+    if (c != place.i && c != place.j && turns(one[c])) return std::nullopt;
   }
   for (std::size_t c = 0; c != other.size(); ++c) {
-    if (c != k && turns(other[c])) return;
+    if (c != place.k && turns(other[c])) return std::nullopt;
   }
-  if (front == 0) return;
-  planes_.push_back(front > 0 ? plane : Tangent(p, r, q));
+  if (front == 0) return std::nullopt;
+  return front > 0 ? plane : Tangent(p, r, q);
 }
 
-bool TangentPlanes::separate(const Points& points, Contact contact, float tolerance) const noexcept {
-  const int most = contact == Contact::open ? 0 : -1;
-  return std::any_of(planes_.begin(), planes_.end(), [&](const Tangent& plane) {
-    if (points.around != nullptr && plane.is_behind(*points.around, tolerance)) return true;
-    return std::all_of(points.all.begin(), points.all.end(),
-                       [&](const Vec3& x) { return plane.side(x, tolerance) <= most; });
+/// Whether the plane at a place touches both patches. Then it is in planes_.
+bool TangentPlanes::is_tangent(std::size_t place) {
+  if (states_[place] == State::unknown) {
+    const std::optional<Tangent> plane = tangent_at(places_->all[place]);
+    states_[place] = plane ? State::tangent : State::no_tangent;
+    if (plane) planes_[place] = *plane;
+  }
+  return states_[place] == State::tangent;
+}
+
+bool TangentPlanes::separate(const Points& points, Contact contact, float tolerance) {
+  std::vector<std::uint16_t>& order = places_->order;
+  const auto parting = std::find_if(order.begin(), order.end(), [&](std::uint16_t place) {
+    return is_tangent(place) && planes_[place].has_behind(points, contact, tolerance);
   });
+  if (parting == order.end()) return false;
+  std::rotate(order.begin(), parting, parting + 1);
+  return true;
 }
 
 }  // namespace shaftcull::kernel

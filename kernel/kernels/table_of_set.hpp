@@ -14,6 +14,7 @@
 #include "kernels/siblings/facing.hpp"
 #include "kernels/siblings/form.hpp"
 #include "kernels/siblings/keep.hpp"
+#include "kernels/siblings/segments.hpp"
 #include "kernels/siblings/sibling_packing.hpp"
 #include "kernels/spheres/boxes_around_spheres.hpp"
 #include "kernels/spheres/sphere_stages.hpp"
@@ -111,6 +112,7 @@ inline constexpr Kernels kernels_for = {
                  .behind_planes = behind_planes<L>,
                  .corners_behind_plane = corners_behind_plane<L>,
                  .points_behind_planes = points_behind_planes<L>,
+                 .segments_through = segments_through<L>,
                  .behind_groups = behind_groups<L>,
                  .behind_group = behind_group<L>},
     .triangles_by_vertices = test_triangles_by_vertices<L>,

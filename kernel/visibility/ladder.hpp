@@ -12,6 +12,7 @@
 #include <memory>
 #include <vector>
 
+#include "exact/deep_segments.hpp"
 #include "exact/tangent_planes.hpp"
 #include "kernels/kernel_table.hpp"
 #include "shaftcull/function_ref.hpp"
@@ -52,6 +53,12 @@ class Ladder {
   struct Side;
   struct Level;
   struct Selection;
+  /// Segments from inside a patch to a corner of each of the other side.
+  struct Segments {
+    SegmentStart start;
+    const float* end[3];
+    alignas(64) float least[most_siblings];  ///< as SegmentStart has it
+  };
   /// A group of patches and an occluder that has points. Bit i of `lanes` says that all points lie on or behind the
   /// plane of patch i of the group.
   struct PointsBehind {
@@ -84,12 +91,19 @@ class Ladder {
   [[nodiscard]] std::uint64_t block_corners(const Side& rows, unsigned row, const Side& columns, Selection& solids,
                                             Selection& polygons, std::uint64_t asked);
   [[nodiscard]] std::uint64_t keep_any_whole(Selection& candidates, std::uint64_t asked);
+  [[nodiscard]] std::uint64_t part_reaches(const Side& rows, unsigned row, const Side& columns, std::size_t part,
+                                           std::uint64_t asked) const;
   [[nodiscard]] std::uint64_t look_at_triangles(const Side& rows, unsigned row, const Side& columns,
-                                                std::uint64_t lanes, Selection& candidates, bool needs_all);
+                                                std::uint64_t lanes, Selection& candidates);
+  [[nodiscard]] std::uint64_t look_at_all_triangles(const Side& rows, unsigned row, const Side& columns,
+                                                    std::uint64_t lanes, Selection& candidates);
+  void begin_segments(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes);
+  [[nodiscard]] std::uint64_t certainly_through(const std::array<Vec3, 3>& triangle, unsigned count,
+                                                std::uint64_t asked) const;
   [[nodiscard]] std::uint64_t drop_separate(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes,
                                             Selection& candidates);
   [[nodiscard]] bool any_part_reaches(unsigned lane, std::uint32_t occluder, std::size_t first, const PatchCorners& a,
-                                      const PatchCorners& b) const;
+                                      const PatchCorners& b);
   void write_undecided(const Level& here, const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes);
   void form(const Side& fixed, unsigned lane, const Side& lanes, std::uint64_t asked);
   void form(const Side& fixed, unsigned lane, const float* const* boxes, const float* const* inward, unsigned count,
@@ -119,6 +133,8 @@ class Ladder {
   TangentPlanes tangents_;
   /// Of the parts of candidates at hand, one after the other: lanes that a part reaches into.
   std::vector<std::uint64_t> part_lanes_;
+  std::vector<std::uint64_t> sure_lanes_;  ///< of candidates at hand: lanes that one certainly reaches into
+  std::vector<Segments> segments_;
   std::vector<PointsBehind> points_behind_;
   std::vector<std::uint64_t> clump_lanes_;  // of each clump, the lanes that come near it
   std::vector<std::uint64_t> near_;         // a bit an occluder, or a solid: whether one comes near its clump

@@ -64,7 +64,7 @@ std::uint64_t Ladder::block_corners(const Side& rows, unsigned row, const Side& 
 /// Whether an occluder without parts is asked about, or a triangle of it reaches into the shaft between two patches
 /// whose planes are at hand. `first` is where the lanes of its parts begin.
 bool Ladder::any_part_reaches(unsigned lane, std::uint32_t occluder, std::size_t first, const PatchCorners& a,
-                              const PatchCorners& b) const {
+                              const PatchCorners& b) {
   const std::size_t parts = job_.occluders.parts_of(occluder);
   for (std::size_t part = 0; part != parts; ++part) {
     if ((part_lanes_[first + part] & bit(lane)) == 0) continue;
@@ -82,13 +82,17 @@ bool Ladder::any_part_reaches(unsigned lane, std::uint32_t occluder, std::size_t
 std::uint64_t Ladder::drop_separate(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes,
                                     Selection& candidates) {
   const PatchCorners a = rows.corners(row);
-  std::uint64_t left = 0;
-  for_each_lane(lanes, [&](unsigned lane) {
+  std::uint64_t left = job_.wants_candidates ? 0 : lanes & any_of(sure_lanes_.data(), candidates.count);
+  for_each_lane(lanes & ~left, [&](unsigned lane) {
     const PatchCorners b = columns.corners(lane);
-    tangents_.find({a.all(), !rows.set.tree.has_corners()}, {b.all(), !columns.set.tree.has_corners()});
+    tangents_.begin({a.all(), !rows.set.tree.has_corners()}, {b.all(), !columns.set.tree.has_corners()});
     std::size_t part = 0;
     for (std::size_t i = 0; i != candidates.count; part += job_.occluders.parts_of(candidates.list[i]), ++i) {
       if ((candidates.kept[i] & bit(lane)) == 0) continue;
+      if ((sure_lanes_[i] & bit(lane)) != 0) {
+        left |= bit(lane);
+        continue;
+      }
       const std::uint32_t occluder = candidates.list[i];
       std::span<const Vec3> points = job_.occluders.points_of(occluder);
       const TurnedBox* const around = points.empty() ? nullptr : &job_.turned_occluders[occluder];

@@ -163,7 +163,7 @@ void Ladder::answer_boxes(Level& here, const Side& rows, unsigned row, const Sid
   if (job_.wants_candidates) {
     undecided = spread(keep(left));
     spread_kept();
-    if (have_parts) undecided = look_at_triangles(rows, row, columns, undecided, candidates, false);
+    if (have_parts) undecided = look_at_triangles(rows, row, columns, undecided, candidates);
   } else if (!have_parts) {
     undecided = spread(kernels.keep_any(siblings_, occluders.boxes.data(), candidates.list.data(), candidates.count,
                                         candidates.may.data(), left));
@@ -173,7 +173,7 @@ void Ladder::answer_boxes(Level& here, const Side& rows, unsigned row, const Sid
     undecided = spread(undecided);
     if (open != 0) {
       spread_kept();
-      undecided |= look_at_triangles(rows, row, columns, spread(open), candidates, false);
+      undecided |= look_at_triangles(rows, row, columns, spread(open), candidates);
     }
   }
   decide(rows, row, columns, spread(left) & ~undecided, Sight::clear);
@@ -195,8 +195,8 @@ void Ladder::answer_corners(Level& here, const Side& rows, unsigned row, const S
   select(here.lists.candidates, here.row_candidates, here.column_candidates, row, lanes, false, candidates);
   std::uint64_t undecided = job_.kernels.keep(siblings_, job_.occluders.boxes.data(), candidates.list.data(),
                                               candidates.count, candidates.may.data(), left, candidates.kept.data());
-  if (!job_.occluders.parts.empty()) undecided = look_at_triangles(rows, row, columns, undecided, candidates, true);
-  undecided = drop_separate(rows, row, columns, undecided, candidates);
+  if (undecided != 0) undecided = look_at_all_triangles(rows, row, columns, undecided, candidates);
+  if (undecided != 0) undecided = drop_separate(rows, row, columns, undecided, candidates);
   decide(rows, row, columns, left & ~undecided, Sight::clear);
   if (undecided != 0) write_undecided(here, rows, row, columns, undecided);
 }

@@ -42,11 +42,10 @@ std::uint64_t Ladder::keep_any_whole(Selection& candidates, std::uint64_t asked)
 }
 
 /// Of a row of pairs, in which the boxes around groups keep candidates: drops groups none of whose triangles reaches
-/// in, by the box around it, in front of both patches. Returns the lanes in which candidates are left. If it
-/// `needs_all` triangles, their lanes are in part_lanes_ afterwards. If it does not, and nobody wants candidates, one
-/// of them is enough.
+/// in, by the box around it, in front of both patches. Returns the lanes in which candidates are left. If nobody wants
+/// candidates, one of them is enough.
 std::uint64_t Ladder::look_at_triangles(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes,
-                                        Selection& candidates, bool needs_all) {
+                                        Selection& candidates) {
   const SiblingKernels& kernels = job_.kernels;
   const OccluderData& occluders = job_.occluders;
   std::uint64_t with_parts = 0;
@@ -69,39 +68,121 @@ std::uint64_t Ladder::look_at_triangles(const Side& rows, unsigned row, const Si
                : 0;
   };
   std::uint64_t left = 0;
-  part_lanes_.clear();
   for (std::size_t i = 0; i != candidates.count; ++i) {
     const std::size_t parts = occluders.parts_of(candidates.list[i]);
     std::uint64_t asked = candidates.kept[i] & lanes;
-    if (!needs_all && !job_.wants_candidates) asked &= ~left;
-    if (parts == 0) {
+    if (!job_.wants_candidates) asked &= ~left;
+    if (parts == 0 || asked == 0) {
       candidates.kept[i] = asked;
       left |= asked;
       continue;
     }
     const std::size_t first = occluders.first_part[candidates.list[i]];
     std::array<std::uint64_t, OccluderData::most_parts> kept;
-    if (asked == 0) {
-      std::fill_n(kept.begin(), parts, 0);
-    } else {
-      kernels.keep(siblings_, occluders.parts.data() + first, all_parts.data(), parts, nullptr,
-                   packs ? pack(asked, with_parts) : asked, kept.data());
-    }
+    kernels.keep(siblings_, occluders.parts.data() + first, all_parts.data(), parts, nullptr,
+                 packs ? pack(asked, with_parts) : asked, kept.data());
     std::uint64_t reached = 0;
     for (std::size_t part = 0; part != parts; ++part) {
       std::uint64_t& of_part = kept[part];
       if (of_part == 0) continue;
       if (packs) of_part = kernels.spread(of_part, with_parts);
-      if (!needs_all) of_part &= ~reached;
+      of_part &= ~reached;
       if (of_part == 0) continue;
       of_part = behind(rows, first + part, bit(row)) != 0 ? 0 : of_part & ~behind(columns, first + part, of_part);
       reached |= of_part;
     }
-    if (needs_all) part_lanes_.insert(part_lanes_.end(), kept.data(), kept.data() + parts);
     candidates.kept[i] = reached;
     left |= reached;
   }
   return left;
+}
+
+/// Lanes of `asked` with a box that the box around a triangle reaches into, in front of both patches.
+std::uint64_t Ladder::part_reaches(const Side& rows, unsigned row, const Side& columns, std::size_t part,
+                                   std::uint64_t asked) const {
+  const SiblingKernels& kernels = job_.kernels;
+  const auto number = static_cast<std::uint32_t>(part);
+  std::uint64_t kept = 0;
+  kernels.keep(siblings_, job_.occluders.parts.data(), &number, 1, nullptr, asked, &kept);
+  if (kept == 0) return 0;
+  const std::array<Vec3, 3>& vertices = job_.occluders.part_vertices[part];
+  const auto behind = [&](const Side& side, std::uint64_t of) {
+    return side.has_planes() ? kernels.points_behind_planes(side.planes, side.count, vertices.data(), 3, of) : 0;
+  };
+  return behind(rows, bit(row)) != 0 ? 0 : kept & ~behind(columns, kept);
+}
+
+/// Likewise of pairs whose corners are asked about later: writes the lanes of each triangle to part_lanes_, and those
+/// in which a candidate certainly reaches in between the corners, too, to sure_lanes_.
+std::uint64_t Ladder::look_at_all_triangles(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes,
+                                            Selection& candidates) {
+  const OccluderData& occluders = job_.occluders;
+  begin_segments(rows, row, columns, lanes);
+  std::uint64_t left = 0;
+  std::uint64_t decided = 0;
+  part_lanes_.clear();
+  sure_lanes_.clear();
+  for (std::size_t i = 0; i != candidates.count; ++i) {
+    const std::uint64_t asked = candidates.kept[i] & lanes & ~decided;
+    const std::size_t first = occluders.first_part[candidates.list[i]];
+    const std::size_t end = first + occluders.parts_of(candidates.list[i]);
+    std::uint64_t reached = first == end ? asked : 0;
+    std::uint64_t sure = 0;
+    for (std::size_t part = first; part != end; ++part) {
+      const std::uint64_t open = asked & ~sure;
+      const std::uint64_t kept = open == 0 ? 0 : part_reaches(rows, row, columns, part, open);
+      if (kept != 0) sure |= certainly_through(occluders.part_vertices[part], columns.count, kept);
+      reached |= kept;
+      part_lanes_.push_back(kept);
+    }
+    candidates.kept[i] = reached;
+    sure_lanes_.push_back(sure);
+    left |= reached;
+    if (!job_.wants_candidates) decided |= sure;
+  }
+  return left;
+}
+
+/// Begins segments from inside a patch to corners of those of `lanes`.
+void Ladder::begin_segments(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes) {
+  constexpr unsigned most_ends = 3;
+  segments_.clear();
+  if (!rows.set.tree.has_corners()) return;
+  const PatchCorners from = rows.corners(row);
+  const CornerStreams& streams = columns.set.tree.corner_streams();
+  const unsigned ends = streams.corners() == 0 ? 2 : std::min(streams.corners(), most_ends);
+  for (std::size_t i = 2; i != from.all().size(); ++i) {
+    const SegmentStart start(from.all()[0], from.all()[i - 1], from.all()[i], double{job_.a.coordinate});
+    for (unsigned e = 0; e != ends; ++e) {
+      Segments& segments = segments_.emplace_back(Segments{start, {}, {}});
+      for (unsigned k = 0; k != 3; ++k) {
+        segments.end[k] =
+            streams.corners() == 0 ? columns.box[k + 3 * e] : streams.streams()[3 * e + k] + columns.first;
+      }
+      for_each_lane(lanes, [&](unsigned lane) {
+        const Vec3 end{segments.end[0][lane], segments.end[1][lane], segments.end[2][lane]};
+        segments.least[lane] = start.least_distance(end, double{job_.a.tolerance});
+      });
+    }
+  }
+}
+
+/// Lanes of `asked` whose segments certainly pass through a triangle, deep inside the shaft between the patches.
+std::uint64_t Ladder::certainly_through(const std::array<Vec3, 3>& triangle, unsigned count,
+                                        std::uint64_t asked) const {
+  std::uint64_t through = 0;
+  SeenTriangle seen{};
+  const Segments* last = nullptr;
+  for (const Segments& segments : segments_) {
+    if (last == nullptr || last->start.point() != segments.start.point()) {
+      seen = seen_triangle(segments.start.point(), triangle, double{job_.a.coordinate});
+    }
+    last = &segments;
+    if (seen.distance <= 0) continue;
+    through |= job_.kernels.segments_through(seen, segments.end, segments.least, count, asked & ~through);
+    if (through == asked) break;
+  }
+  return through;
 }
 
 }  // namespace shaftcull::kernel
