@@ -4,6 +4,7 @@ shaftcull_test(visibility PARTS 2
   visibility/agreement.cpp
   visibility/batches.cpp
   visibility/corners.cpp
+  visibility/deep_segments.cpp
   visibility/errors.cpp
   visibility/flush_walls.cpp
   visibility/patch_tree.cpp
