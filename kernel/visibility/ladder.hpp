@@ -98,6 +98,7 @@ class Ladder {
   [[nodiscard]] std::uint64_t look_at_all_triangles(const Side& rows, unsigned row, const Side& columns,
                                                     std::uint64_t lanes, Selection& candidates);
   void begin_segments(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes);
+  [[nodiscard]] std::uint64_t certainly_through(std::uint32_t occluder, unsigned count, std::uint64_t asked) const;
   [[nodiscard]] std::uint64_t certainly_through(const std::array<Vec3, 3>& triangle, unsigned count,
                                                 std::uint64_t asked) const;
   [[nodiscard]] std::uint64_t drop_separate(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes,

@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <numeric>
+#include <span>
 
 #include "visibility/ladder_parts.hpp"
 #include "visibility/lanes.hpp"
@@ -127,7 +128,7 @@ std::uint64_t Ladder::look_at_all_triangles(const Side& rows, unsigned row, cons
     const std::size_t first = occluders.first_part[candidates.list[i]];
     const std::size_t end = first + occluders.parts_of(candidates.list[i]);
     std::uint64_t reached = first == end ? asked : 0;
-    std::uint64_t sure = 0;
+    std::uint64_t sure = first == end ? certainly_through(candidates.list[i], columns.count, asked) : 0;
     for (std::size_t part = first; part != end; ++part) {
       const std::uint64_t open = asked & ~sure;
       const std::uint64_t kept = open == 0 ? 0 : part_reaches(rows, row, columns, part, open);
@@ -165,6 +166,28 @@ void Ladder::begin_segments(const Side& rows, unsigned row, const Side& columns,
       });
     }
   }
+}
+
+/// Lanes of `asked` whose segments certainly pass through a triangle of corners of an occluder, of some of these.
+std::uint64_t Ladder::certainly_through(std::uint32_t occluder, unsigned count, std::uint64_t asked) const {
+  constexpr std::size_t enough = 8;
+  const std::span<const Vec3> points = job_.occluders.points_of(occluder);
+  std::uint64_t through = 0;
+  const auto look_at = [&](const Vec3& p, const Vec3& q, const Vec3& r) {
+    if (through != asked) through |= certainly_through({p, q, r}, count, asked & ~through);
+  };
+  for (std::size_t i = 2; i < std::min(points.size(), enough); ++i) look_at(points[0], points[i - 1], points[i]);
+  if (!points.empty()) return through;
+  const float(&box)[8] = job_.occluders.boxes[occluder].face;
+  const auto corner = [&](unsigned c) {
+    return Vec3{box[c % 2 != 0 ? 3 : 0], box[c / 2 % 2 != 0 ? 4 : 1], box[c / 4 != 0 ? 5 : 2]};
+  };
+  // Two rectangles between opposite edges. If the box is flat, one of them has its corners.
+  for (const std::array<unsigned, 4>& c : {std::array{0U, 3U, 7U, 4U}, std::array{0U, 1U, 7U, 6U}}) {
+    look_at(corner(c[0]), corner(c[1]), corner(c[2]));
+    look_at(corner(c[0]), corner(c[2]), corner(c[3]));
+  }
+  return through;
 }
 
 /// Lanes of `asked` whose segments certainly pass through a triangle, deep inside the shaft between the patches.
