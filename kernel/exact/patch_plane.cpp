@@ -6,6 +6,7 @@
 
 #include "exact/expansion.hpp"
 #include "exact/orientation.hpp"
+#include "exact/plane_of_points.hpp"
 
 namespace shaftcull::kernel {
 namespace {
@@ -103,20 +104,20 @@ bool keep_off_planes(std::span<const Vec3> points, std::span<const Vec3> polygon
 
 bool are_on_one_side(std::span<const Vec3> a, std::span<const Vec3> b, const std::array<Vec3, 3>& triangle,
                      Contact contact, float tolerance) noexcept {
-  const Vec3& p = triangle[0];
-  // In front of the plane of p, q and r, or of p, r and q.
-  const auto are_in_front = [&](const Vec3& second, const Vec3& third) {
+  const PlaneOfPoints up(triangle[0], triangle[1], triangle[2]);
+  const PlaneOfPoints down(triangle[0], triangle[2], triangle[1]);
+  const auto are_in_front = [&](const PlaneOfPoints& plane, const PlaneOfPoints& reverse) {
     bool is_any_off = false;
     for (const std::span<const Vec3> end : {a, b}) {
       for (const Vec3& x : end) {
-        const int beyond = height_sign(p, third, second, x, tolerance);
+        const int beyond = reverse.side(x, tolerance);
         if (contact == Contact::open ? beyond > 0 : beyond >= 0) return false;
-        is_any_off = is_any_off || height_sign(p, second, third, x, tolerance) > 0;
+        is_any_off = is_any_off || plane.side(x, tolerance) > 0;
       }
     }
     return is_any_off;
   };
-  return are_in_front(triangle[1], triangle[2]) || are_in_front(triangle[2], triangle[1]);
+  return are_in_front(up, down) || are_in_front(down, up);
 }
 
 bool is_behind_patch(std::span<const Vec3> corners, float tolerance, const Vec3& point) noexcept {

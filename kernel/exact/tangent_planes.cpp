@@ -2,57 +2,22 @@
 #include "exact/tangent_planes.hpp"
 
 #include <algorithm>
-#include <cmath>
 
-#include "exact/patch_plane.hpp"
 #include "support/exact_floats.hpp"
 
 namespace shaftcull::kernel {
-TangentPlanes::Tangent::Tangent(const Vec3& p, const Vec3& q, const Vec3& r) noexcept : p_(p), q_(q), r_(r) {
-  for (unsigned k = 0; k != 3; ++k) {
-    const unsigned i = (k + 1) % 3;
-    const unsigned j = (k + 2) % 3;
-    const double left = (double{q[i]} - p[i]) * (double{r[j]} - p[j]);
-    const double right = (double{q[j]} - p[j]) * (double{r[i]} - p[i]);
-    normal_[k] = left - right;
-    magnitude_[k] = std::fabs(left) + std::fabs(right);
-  }
-}
+namespace {
 
-int TangentPlanes::Tangent::side(const Vec3& x, float tolerance) const noexcept {
-  double sum = 0;
-  double magnitude = 0;
-  for (unsigned k = 0; k != 3; ++k) {
-    const double along = double{x[k]} - p_[k];
-    sum += normal_[k] * along - double{tolerance} * std::fabs(normal_[k]);
-    magnitude += magnitude_[k] * (std::fabs(along) + double{tolerance});
-  }
-  if (magnitude == 0) return 0;  // no product of three differences underflows
-  // As height_sign() has it: a term rounds fewer than 12 times.
-  if (std::fabs(sum) > 24 * 0x1p-53 * magnitude) return sum > 0 ? 1 : -1;
-  return height_sign(p_, q_, r_, x, tolerance);
-}
-
-/// Whether a box lies behind for certain.
-bool TangentPlanes::Tangent::is_behind(const TurnedBox& box, float tolerance) const noexcept {
-  const Direction normal{normal_[0], normal_[1], normal_[2]};
-  double farthest = box.farthest(normal);
-  double size = 0;
-  double magnitude = 0;
-  for (unsigned k = 0; k != 3; ++k) {
-    farthest -= normal_[k] * p_[k] + double{tolerance} * std::fabs(normal_[k]);
-    magnitude += magnitude_[k];
-    size = std::max(size, std::fabs(double{p_[k]}));
-  }
-  return farthest < -0x1p-38 * magnitude * (size + box.size + double{tolerance});
-}
-
-/// Whether all points lie behind; with open contact, on it or behind it.
-bool TangentPlanes::Tangent::has_behind(const Points& points, Contact contact, float tolerance) const noexcept {
-  if (points.around != nullptr && is_behind(*points.around, tolerance)) return true;
+/// Whether all points lie behind a plane; with open contact, on it or behind it.
+bool has_behind(const PlaneOfPoints& plane, const TangentPlanes::Points& points, Contact contact,
+                float tolerance) noexcept {
+  if (points.around != nullptr && plane.is_behind(*points.around, tolerance)) return true;
   const int most = contact == Contact::open ? 0 : -1;
-  return std::all_of(points.all.begin(), points.all.end(), [&](const Vec3& x) { return side(x, tolerance) <= most; });
+  return std::all_of(points.all.begin(), points.all.end(),
+                     [&](const Vec3& x) { return plane.side(x, tolerance) <= most; });
 }
+
+}  // namespace
 
 void TangentPlanes::Places::add_edges_of(const Patch& edges, std::size_t corners, bool is_of_second) {
   const std::size_t count = edges.corners.size();
@@ -82,14 +47,14 @@ void TangentPlanes::begin(const Patch& a, const Patch& b) {
 }
 
 /// The plane at a place, if it touches both patches.
-std::optional<TangentPlanes::Tangent> TangentPlanes::tangent_at(const Place& place) const noexcept {
+std::optional<PlaneOfPoints> TangentPlanes::tangent_at(const Place& place) const noexcept {
   const std::span<const Vec3> one = place.is_of_second ? b_.corners : a_.corners;
   const std::span<const Vec3> other = place.is_of_second ? a_.corners : b_.corners;
   const Vec3& p = one[place.i];
   const Vec3& q = one[place.j];
   const Vec3& r = other[place.k];
   if (p == q || r == p || r == q) return std::nullopt;  // as between neighbours
-  const Tangent plane(p, q, r);
+  const PlaneOfPoints plane(p, q, r);
   int front = 0;
   const auto turns = [&](const Vec3& corner) {
     const int side = plane.side(corner, 0);
@@ -104,13 +69,13 @@ std::optional<TangentPlanes::Tangent> TangentPlanes::tangent_at(const Place& pla
     if (c != place.k && turns(other[c])) return std::nullopt;
   }
   if (front == 0) return std::nullopt;
-  return front > 0 ? plane : Tangent(p, r, q);
+  return front > 0 ? plane : PlaneOfPoints(p, r, q);
 }
 
 /// Whether the plane at a place touches both patches. Then it is in planes_.
 bool TangentPlanes::is_tangent(std::size_t place) {
   if (states_[place] == State::unknown) {
-    const std::optional<Tangent> plane = tangent_at(places_->all[place]);
+    const std::optional<PlaneOfPoints> plane = tangent_at(places_->all[place]);
     states_[place] = plane ? State::tangent : State::no_tangent;
     if (plane) planes_[place] = *plane;
   }
@@ -120,7 +85,7 @@ bool TangentPlanes::is_tangent(std::size_t place) {
 bool TangentPlanes::separate(const Points& points, Contact contact, float tolerance) {
   std::vector<std::uint16_t>& order = places_->order;
   const auto parting = std::find_if(order.begin(), order.end(), [&](std::uint16_t place) {
-    return is_tangent(place) && planes_[place].has_behind(points, contact, tolerance);
+    return is_tangent(place) && has_behind(planes_[place], points, contact, tolerance);
   });
   if (parting == order.end()) return false;
   std::rotate(order.begin(), parting, parting + 1);

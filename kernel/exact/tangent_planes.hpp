@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "exact/patch_plane.hpp"
+#include "exact/plane_of_points.hpp"
 #include "exact/turned_box.hpp"
 #include "shaftcull/bounds.hpp"
 #include "shaftcull/compiled.hpp"
@@ -45,26 +46,6 @@ class TangentPlanes {
   [[nodiscard]] bool separate(const Points& points, Contact contact, float tolerance);
 
  private:
-  /// A plane through three points, whose normal (q − p) × (r − p) points to the front. Signs come from rounded numbers
-  /// where these are certain.
-  class Tangent {
-   public:
-    Tangent() noexcept = default;
-    Tangent(const Vec3& p, const Vec3& q, const Vec3& r) noexcept;
-
-    /// The sign of n · (x − p) − tolerance |n|₁.
-    [[nodiscard]] int side(const Vec3& x, float tolerance) const noexcept;
-    [[nodiscard]] bool is_behind(const TurnedBox& box, float tolerance) const noexcept;
-    [[nodiscard]] bool has_behind(const Points& points, Contact contact, float tolerance) const noexcept;
-
-   private:
-    Vec3 p_{};
-    Vec3 q_{};
-    Vec3 r_{};
-    double normal_[3]{};
-    double magnitude_[3]{};  ///< of the terms of each component
-  };
-
   /// Corners i and j of the first patch, or of the second, and corner k of the other one.
   struct Place {
     bool is_of_second;
@@ -82,16 +63,16 @@ class TangentPlanes {
   enum class State : std::uint8_t { unknown, no_tangent, tangent };
 
   [[nodiscard]] bool is_tangent(std::size_t place);
-  [[nodiscard]] std::optional<Tangent> tangent_at(const Place& place) const noexcept;
+  [[nodiscard]] std::optional<PlaneOfPoints> tangent_at(const Place& place) const noexcept;
 
   static constexpr std::size_t most_kinds = 2 * (most_patch_corners + 1);  ///< of a patch, by its corners
 
   Patch a_{};
   Patch b_{};
   std::array<Places, most_kinds * most_kinds> places_of_kinds_;
-  Places* places_ = nullptr;     ///< of the pair at hand
-  std::vector<State> states_;    ///< of each place
-  std::vector<Tangent> planes_;  ///< likewise
+  Places* places_ = nullptr;           ///< of the pair at hand
+  std::vector<State> states_;          ///< of each place
+  std::vector<PlaneOfPoints> planes_;  ///< likewise
 };
 
 }  // namespace shaftcull::kernel

@@ -103,8 +103,8 @@ class Ladder {
                                                 std::uint64_t asked) const;
   [[nodiscard]] std::uint64_t drop_separate(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes,
                                             Selection& candidates);
-  [[nodiscard]] bool any_part_reaches(unsigned lane, std::uint32_t occluder, std::size_t first, const PatchCorners& a,
-                                      const PatchCorners& b);
+  [[nodiscard]] bool reaches_between(unsigned lane, std::uint32_t occluder, std::size_t first, const PatchCorners& a,
+                                     const PatchCorners& b);
   void write_undecided(const Level& here, const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes);
   void form(const Side& fixed, unsigned lane, const Side& lanes, std::uint64_t asked);
   void form(const Side& fixed, unsigned lane, const float* const* boxes, const float* const* inward, unsigned count,
@@ -135,6 +135,7 @@ class Ladder {
   /// Of the parts of candidates at hand, one after the other: lanes that a part reaches into.
   std::vector<std::uint64_t> part_lanes_;
   std::vector<std::uint64_t> sure_lanes_;  ///< of candidates at hand: lanes that one certainly reaches into
+  std::vector<std::size_t> parts_left_;    ///< triangles of an occluder at hand that may reach in
   std::vector<Segments> segments_;
   std::vector<PointsBehind> points_behind_;
   std::vector<std::uint64_t> clump_lanes_;  // of each clump, the lanes that come near it

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Pairs of patches with corners: the shaft between two polygons is narrower than the one between the boxes around
 /// them.
-#include <array>
+#include <algorithm>
 #include <span>
 
 #include "exact/blocking.hpp"
@@ -61,20 +61,34 @@ std::uint64_t Ladder::block_corners(const Side& rows, unsigned row, const Side& 
   return occluded;
 }
 
-/// Whether an occluder without parts is asked about, or a triangle of it reaches into the shaft between two patches
-/// whose planes are at hand. `first` is where the lanes of its parts begin.
-bool Ladder::any_part_reaches(unsigned lane, std::uint32_t occluder, std::size_t first, const PatchCorners& a,
-                              const PatchCorners& b) {
-  const std::size_t parts = job_.occluders.parts_of(occluder);
+/// Whether an occluder reaches into the shaft between two patches at hand, which its box and the boxes around its
+/// triangles reach into: those whose lanes are from `first` on have the lane.
+bool Ladder::reaches_between(unsigned lane, std::uint32_t occluder, std::size_t first, const PatchCorners& a,
+                             const PatchCorners& b) {
+  const OccluderData& occluders = job_.occluders;
+  const auto is_separate = [&](std::span<const Vec3> points, const TurnedBox* around) {
+    return tangents_.separate({points, around}, job_.contact, job_.a.tolerance);
+  };
+  const std::span<const Vec3> points = occluders.points_of(occluder);
+  if (points.empty()) {
+    const float(&box)[8] = occluders.boxes[occluder].face;
+    return !is_separate(corners_of_box({{box[0], box[1], box[2]}, {box[3], box[4], box[5]}}).all(), nullptr);
+  }
+  const std::size_t parts = occluders.parts_of(occluder);
+  if (parts == 0) return !is_separate(points, &job_.turned_occluders[occluder]);
+  // Most triangles have both patches on one side: that is quick to see.
+  parts_left_.clear();
   for (std::size_t part = 0; part != parts; ++part) {
     if ((part_lanes_[first + part] & bit(lane)) == 0) continue;
-    const std::array<Vec3, 3>& vertices = job_.occluders.part_vertices[job_.occluders.first_part[occluder] + part];
-    if (!tangents_.separate({vertices, nullptr}, job_.contact, job_.a.tolerance) &&
-        !are_on_one_side(a.all(), b.all(), vertices, job_.contact, job_.a.tolerance)) {
-      return true;
+    const std::size_t number = occluders.first_part[occluder] + part;
+    if (!are_on_one_side(a.all(), b.all(), occluders.part_vertices[number], job_.contact, job_.a.tolerance)) {
+      parts_left_.push_back(number);
     }
   }
-  return parts == 0;
+  constexpr std::size_t few = 4;
+  if (parts_left_.size() > few && is_separate(points, &job_.turned_occluders[occluder])) return false;
+  return std::any_of(parts_left_.begin(), parts_left_.end(),
+                     [&](std::size_t part) { return !is_separate(occluders.part_vertices[part], nullptr); });
 }
 
 /// Of a row of pairs, in which the boxes around patches keep candidates: drops those that lie behind a plane that
@@ -93,17 +107,7 @@ std::uint64_t Ladder::drop_separate(const Side& rows, unsigned row, const Side& 
         left |= bit(lane);
         continue;
       }
-      const std::uint32_t occluder = candidates.list[i];
-      std::span<const Vec3> points = job_.occluders.points_of(occluder);
-      const TurnedBox* const around = points.empty() ? nullptr : &job_.turned_occluders[occluder];
-      PatchCorners of_box;
-      if (points.empty()) {
-        const float(&box)[8] = job_.occluders.boxes[occluder].face;
-        of_box = corners_of_box({{box[0], box[1], box[2]}, {box[3], box[4], box[5]}});
-        points = of_box.all();
-      }
-      if (tangents_.separate({points, around}, job_.contact, job_.a.tolerance) ||
-          !any_part_reaches(lane, candidates.list[i], part, a, b)) {
+      if (!reaches_between(lane, candidates.list[i], part, a, b)) {
         candidates.kept[i] &= ~bit(lane);
         continue;
       }
