@@ -11,8 +11,8 @@ from launched import content, kill_one, launch, program, stored_blocks
 
 npz = ["--out", "seen.npz"]
 both = [*npz, "--candidates", "--svg", "seen.svg", "--ply", "seen.ply"]
-scene = ["--rooms", "5", "--patches", "0.6", "--solid", "wall*", "table*"]  # 10 units of work
-units = 10
+scene = ["--rooms", "4", "--patches", "0.6", "--solid", "wall*", "table*"]  # 6 units of work
+units = 6
 
 
 def sees(ranks, *more, words=scene, **around):
@@ -85,7 +85,7 @@ def refused():
         "seen.txt: what kind of file?": ["--out", "seen.txt"],
         "a CSV file has no candidates": ["--out", "seen.csv", "--candidates"],
         "none/seen.svg: cannot be written: No such file": ["--out", "seen.npz", "--svg", "none/seen.svg"],
-        "--solid none: 5 rooms has no object of that name": ["--solid", "none"],
+        "--solid none: 4 rooms has no object of that name": ["--solid", "none"],
     }
     for message, more in refusals.items():
         done = sees(3, *more)
@@ -96,7 +96,7 @@ def refused():
         [*words, program, "sees", *scene, *both, ":", *words[1:], program, "sees", *scene, *both, "--seed", "2"],
         capture_output=True, text=True, timeout=60, check=False)
     assert mixed.returncode == 2, mixed
-    assert mixed.stderr.count("shaftcull: rank 1: 5 rooms has other patches there than for rank 0") == 1, mixed.stderr
+    assert mixed.stderr.count("shaftcull: rank 1: 4 rooms has other patches there than for rank 0") == 1, mixed.stderr
 
 
 def csv():
