@@ -94,7 +94,7 @@ Occluders occluders(Numbers& numbers, Number number, const Facets& patches) {
 /// definitions alone, and not from the order of answers.
 void add(const Visibility& answers, const PatchSet& a, const PatchSet& b, Digest& digest) {
   std::vector<std::uint8_t> sight(a.size() * b.size());
-  for (const PairBlock& block : answers.products) {
+  for (const PairBlock& block : answers.blocks) {
     for (const std::uint32_t i : a.order().subspan(block.a.first, block.a.count)) {
       for (const std::uint32_t j : b.order().subspan(block.b.first, block.b.count)) {
         sight[i * b.size() + j] = block.sight == Sight::clear ? 1 : 2;

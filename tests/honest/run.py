@@ -51,7 +51,7 @@ def answers(sights):
     """A matrix of answers; 0 for undecided pairs and on the diagonal."""
     order = sights["order"]
     matrix = numpy.zeros((len(order), len(order)), numpy.uint8)
-    for first_a, count_a, first_b, count_b, sight in sights["products"]:
+    for first_a, count_a, first_b, count_b, sight in sights["blocks"]:
         a, b = order[first_a : first_a + count_a], order[first_b : first_b + count_b]
         matrix[numpy.ix_(a, b)] = matrix[numpy.ix_(b, a)] = sight
     numpy.fill_diagonal(matrix, 0)

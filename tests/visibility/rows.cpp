@@ -80,9 +80,9 @@ TEST(RowsOfCubes, AreAnsweredByGroups) {
   const Row row;
   Occluders occluders;
   occluders.add_solids(row.solids);
-  std::size_t products = 0;
-  visibility(row.patches(), occluders, [&](const SightBatch& batch) { products += batch.products.size(); });
-  EXPECT_LT(products, 20 * cubes);  // for 18 million pairs
+  std::size_t blocks = 0;
+  visibility(row.patches(), occluders, [&](const SightBatch& batch) { blocks += batch.blocks.size(); });
+  EXPECT_LT(blocks, 20 * cubes);  // for 18 million pairs
 }
 
 }  // namespace

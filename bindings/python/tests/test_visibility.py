@@ -125,7 +125,7 @@ def test_pairs_are_what_the_definition_says():
     assert min(total.values()) > 20, total
 
 
-def test_products_orders_and_bits_are_of_the_same_pairs():
+def test_blocks_orders_and_bits_are_of_the_same_pairs():
     a, b = some_boxes(1, 70), some_boxes(2, 65)
     found = sc.visibility(a, b, planes=planes_of(1, 70), occluders=some_boxes(3, 4), solids=some_boxes(4, 6))
     assert found.blocks.shape == (len(found.sights), 4) and found.blocks.dtype == np.uint32
