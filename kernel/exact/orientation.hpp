@@ -10,6 +10,7 @@
 
 #include "exact/expansion.hpp"
 #include "exact/measured.hpp"
+#include "shaftcull/bounds.hpp"
 
 namespace shaftcull::kernel {
 
@@ -117,5 +118,16 @@ class SpannedPlane {
   double rounded_normal_[3];
   double magnitude_[3];  ///< of the terms of each component
 };
+
+/// The plane through three points. Its front is where they run counterclockwise.
+[[nodiscard]] inline SpannedPlane plane_of(const Vec3& a, const Vec3& b, const Vec3& c) noexcept {
+  return SpannedPlane({a[0], a[1], a[2]}, {{b[0], a[0]}, {b[1], a[1]}, {b[2], a[2]}},
+                      {{c[0], a[0]}, {c[1], a[1]}, {c[2], a[2]}});
+}
+
+/// On which side of a plane a point is: 1 in front, −1 behind, 0 on it. Exact.
+[[nodiscard]] inline int side_of(const SpannedPlane& plane, const Vec3& point) noexcept {
+  return plane.side({point[0], point[1], point[2]});
+}
 
 }  // namespace shaftcull::kernel
