@@ -6,9 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <compare>
 #include <limits>
 #include <utility>
+
+#include "oracle/sight_numbers.hpp"
 
 namespace shaftcull::oracle {
 
@@ -86,56 +87,14 @@ Digits digits_of(const SightQuestion& question) {
     digits.add(occluder.box);
     for (const Vec3& corner : occluder.corners) digits.add(corner);
   }
-  for (const std::vector<Vec3>& polygon : question.polygons) {
-    for (const Vec3& corner : polygon) digits.add(corner);
+  for (const auto* shapes : {&question.polygons, &question.hulls}) {
+    for (const std::vector<Vec3>& corners : *shapes) {
+      for (const Vec3& corner : corners) digits.add(corner);
+    }
   }
   if (digits.first > digits.end) digits.add(1.0F);  // every number is 0
   return digits;
 }
-
-template <class Number>
-using PointOf = std::array<Number, 3>;
-
-/// A polynomial of degree 3 in ε, which is positive and less than every positive number. So the sign is that of the
-/// lowest coefficient that is not 0. Products have no higher powers where they are made here.
-template <class Number>
-class Infinitesimal {
- public:
-  Infinitesimal(int number) : coefficient_{number, 0, 0, 0} {}
-  Infinitesimal(const Number& number, const Number& of_epsilon = 0) : coefficient_{number, of_epsilon, 0, 0} {}
-
-  friend Infinitesimal operator+(Infinitesimal a, const Infinitesimal& b) {
-    for (std::size_t i = 0; i != powers; ++i) a.coefficient_[i] += b.coefficient_[i];
-    return a;
-  }
-  friend Infinitesimal operator-(Infinitesimal a, const Infinitesimal& b) {
-    for (std::size_t i = 0; i != powers; ++i) a.coefficient_[i] -= b.coefficient_[i];
-    return a;
-  }
-  friend Infinitesimal operator-(const Infinitesimal& a) { return 0 - a; }
-  friend Infinitesimal operator*(const Infinitesimal& a, const Infinitesimal& b) {
-    Infinitesimal product = 0;
-    for (std::size_t i = 0; i != powers; ++i) {
-      if (a.coefficient_[i] == 0) continue;
-      for (std::size_t k = 0; i + k != powers; ++k) {
-        product.coefficient_[i + k] += a.coefficient_[i] * b.coefficient_[k];
-      }
-    }
-    return product;
-  }
-  friend std::strong_ordering operator<=>(const Infinitesimal& a, const Infinitesimal& b) {
-    for (std::size_t i = 0; i != powers; ++i) {
-      if (a.coefficient_[i] < b.coefficient_[i]) return std::strong_ordering::less;
-      if (a.coefficient_[i] > b.coefficient_[i]) return std::strong_ordering::greater;
-    }
-    return std::strong_ordering::equal;
-  }
-  friend bool operator==(const Infinitesimal& a, const Infinitesimal& b) = default;
-
- private:
-  static constexpr std::size_t powers = 4;
-  std::array<Number, powers> coefficient_;
-};
 
 template <class Number>
 struct BoxOf {
@@ -158,59 +117,6 @@ struct BoxOf {
     }
     return corners;
   }
-};
-
-template <class Number>
-int sign(const Number& x) {
-  return x > 0 ? 1 : x < 0 ? -1 : 0;
-}
-
-/// Those t in [0, 1], or in (0, 1), for which linear functions of t are not negative, or positive, or 0.
-template <class Number>
-class Times {
- public:
-  explicit Times(bool is_open) : is_open_(is_open) {}
-
-  /// start + t way ≥ 0, or > 0.
-  void require(const Number& start, const Number& way) {
-    if (way == 0) {
-      is_empty_ = is_empty_ || (is_open_ ? start <= 0 : start < 0);
-    } else if (way > 0) {
-      if (const Fraction t{Number(-start), way}; less(after_, t)) after_ = t;
-    } else {
-      if (const Fraction t{start, Number(-way)}; less(t, before_)) before_ = t;
-    }
-  }
-  /// start + t way = 0.
-  void require_zero(const Number& start, const Number& way) {
-    if (way == 0) {
-      is_empty_ = is_empty_ || start != 0;
-      return;
-    }
-    const Fraction t = way > 0 ? Fraction{Number(-start), way} : Fraction{start, Number(-way)};
-    if (has_only_ && (less(t, only_) || less(only_, t))) is_empty_ = true;
-    has_only_ = true;
-    only_ = t;
-  }
-  [[nodiscard]] bool are_there() const {
-    if (is_empty_) return false;
-    const auto in_order = [&](const Fraction& t, const Fraction& u) { return is_open_ ? less(t, u) : !less(u, t); };
-    return has_only_ ? in_order(after_, only_) && in_order(only_, before_) : in_order(after_, before_);
-  }
-
- private:
-  struct Fraction {
-    Number over;
-    Number under;  ///< positive
-  };
-  static bool less(const Fraction& t, const Fraction& u) { return t.over * u.under < u.over * t.under; }
-
-  bool is_open_;
-  bool is_empty_ = false;
-  bool has_only_ = false;
-  Fraction after_{0, 1};
-  Fraction before_{1, 1};
-  Fraction only_{0, 1};
 };
 
 template <class Number>
@@ -263,6 +169,7 @@ class Answers final : public SightOracle::Questions {
     b_ = patches(question.b, question.b_planes, question.b_corners);
     solids_ = boxes(question.solids);
     for (const std::vector<Vec3>& polygon : question.polygons) polygons_.push_back(points(polygon));
+    for (const std::vector<Vec3>& hull : question.hulls) hulls_.emplace_back(points(hull));
     for (const SightOccluder& occluder : question.occluders) {
       occluder_boxes_.push_back({point(occluder.box.lo), point(occluder.box.hi)});
       occluder_corners_.push_back(points(occluder.corners));
@@ -290,6 +197,9 @@ class Answers final : public SightOracle::Questions {
     for (std::size_t k = 0; k != polygons_.size() && !truth.is_occluded; ++k) {
       const bool may_block = tolerance_ == 0 || !(lie_in(a.corners, polygons_[k]) || lie_in(b.corners, polygons_[k]));
       truth.is_occluded = may_block && polygon_blocks(a.corners, b.corners, polygons_[k]);
+    }
+    for (std::size_t k = 0; k != hulls_.size() && !truth.is_occluded; ++k) {
+      truth.is_occluded = hull_blocks(a.corners, b.corners, hulls_[k]);
     }
     const bool are_boxes = a.is_box && b.is_box;
     std::vector<std::size_t> reaching;
@@ -592,6 +502,33 @@ class Answers final : public SightOracle::Questions {
     });
   }
 
+  /// Whether all segments pass through the interior of a hull. Of each face, one of the ends must be behind it, and not
+  /// lie in its plane within the tolerance.
+  [[nodiscard]] bool hull_blocks(const std::vector<Point>& a, const std::vector<Point>& b,
+                                 const HullOf<Number>& hull) const {
+    using Face = typename HullOf<Number>::Face;
+    const auto are_in_front_of = [&](const Face& face, const std::vector<Point>& end) {
+      return std::all_of(end.begin(), end.end(), [&](const Point& x) { return hull.height(face, x) >= 0; });
+    };
+    const auto reaches_into = [&](const std::vector<Point>& end) {
+      return std::none_of(hull.faces().begin(), hull.faces().end(),
+                          [&](const Face& face) { return are_in_front_of(face, end); });
+    };
+    if (!solids_around_ends_ && (reaches_into(a) || reaches_into(b))) return false;
+    const auto is_behind = [&](const Face& face, const std::vector<Point>& end) {
+      const Point& n = face.normal;
+      const AnyPlane back{{Number(-n[0]), Number(-n[1]), Number(-n[2])}, Number(-face.offset)};
+      return std::none_of(end.begin(), end.end(), [&](const Point& x) { return hull.height(face, x) > 0; }) &&
+             std::any_of(end.begin(), end.end(), [&](const Point& x) { return lowest_height(back, x) > 0; });
+    };
+    if (!std::all_of(hull.faces().begin(), hull.faces().end(),
+                     [&](const Face& face) { return is_behind(face, a) || is_behind(face, b); })) {
+      return false;
+    }
+    const auto misses = [&](const Point& p, const Point& q) { return !hull.is_passed(p, q, false); };
+    return all_segments(a, b, true, misses, [&](const auto& p, const auto& q) { return hull.is_passed(p, q, true); });
+  }
+
   Contact contact_;
   bool solids_around_ends_;
   Number tolerance_;
@@ -599,6 +536,7 @@ class Answers final : public SightOracle::Questions {
   std::vector<Patch> b_;
   std::vector<AnyBox> solids_;
   std::vector<std::vector<Point>> polygons_;
+  std::vector<HullOf<Number>> hulls_;
   std::vector<AnyBox> occluder_boxes_;
   std::vector<std::vector<Point>> occluder_corners_;
   std::vector<std::vector<Part>> occluder_triangles_;
@@ -609,8 +547,9 @@ class Answers final : public SightOracle::Questions {
 SightOracle::SightOracle(const SightQuestion& question) {
   const Digits digits = digits_of(question);
   // Determinants are sums of six products of three differences, of which the coefficients of a power of ε are three
-  // products or fewer: 3 × 37 + 1 + 5 bits.
-  if (digits.end - digits.first <= 36) {
+  // products or fewer: 3 × 37 + 1 + 5 bits. Two of them are multiplied where a segment may pass through a hull.
+  const int most_digits = question.hulls.empty() ? 36 : 16;
+  if (digits.end - digits.first <= most_digits) {
     questions_ = std::make_unique<Answers<Wide>>(question, -digits.first);
   } else {
     questions_ = std::make_unique<Answers<mpz_class>>(question, -digits.first);

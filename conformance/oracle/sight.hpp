@@ -35,6 +35,7 @@ struct SightQuestion {
   std::vector<std::vector<Vec3>> b_corners{};
   std::vector<SightOccluder> occluders;
   std::vector<Box> solids;                  ///< those that make pairs occluded
+  std::vector<std::vector<Vec3>> hulls{};   ///< likewise: solid hulls of these points
   std::vector<std::vector<Vec3>> polygons;  ///< likewise: convex, all corners in one plane
   Contact contact = Contact::open;
   bool solids_around_ends = true;
@@ -61,7 +62,7 @@ class SightOracle {
 
   /// Whether occluder k reaches into the shaft between both, planes left out.
   [[nodiscard]] bool reaches(std::size_t i, std::size_t j, std::size_t k) const;
-  /// Whether solid k alone hides both from each other.
+  /// Whether solid k alone, a box, hides both from each other.
   [[nodiscard]] bool blocks(std::size_t i, std::size_t j, std::size_t k) const;
   /// Whether all of patch j of b is on or behind the plane of patch i of a.
   [[nodiscard]] bool is_behind(std::size_t i, std::size_t j) const;

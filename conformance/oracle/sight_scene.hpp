@@ -138,6 +138,7 @@ inline oracle::SightQuestion question_of(const SightScene& scene, const Occluder
   for_each_part(scene.hull_corners, scene.first_hull, [&](const std::vector<Vec3>& hull) {
     question.occluders.push_back({around(hull), hull});
     question.solids.push_back(inscribed_box(hull));
+    question.hulls.push_back(hull);
   });
   // Each alone, and what they are together.
   const std::vector<Box> together = merged_boxes(question.solids);

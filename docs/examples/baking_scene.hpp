@@ -187,8 +187,7 @@ inline void add_occluders(Scene& scene) {
   scene.occluders.add_solids(std::span(&sideboard, 1));
   scene.shape.push_back(triangles_of(std::span(&sideboard, 1), whole));
 
-  // A hull has up to 32 corners. Those of the twelve triangles are the eight corners of the
-  // cupboard.
+  // The corners of the twelve triangles are the eight corners of the cupboard.
   scene.shape.push_back(triangles_of(std::span(&cupboard, 1), whole, true));
   std::vector<sc::Vec3> corners;
   for (const sc::Triangle& t : scene.shape.back())

@@ -12,11 +12,14 @@
 /// * `clear`: no occluder reaches into the shaft between the two boxes, in front of both planes.
 /// * `undecided`: none of the three. The *candidates* are the occluders that reach into the shaft: rays need no others.
 ///
-/// A *solid* is a solid box, or the box that inscribed_box() finds inside a solid hull, or a larger box that several of
-/// these form together, as merged_boxes() finds it (both in solids.hpp). So a hull may hide more than the answers
-/// report. A polygon has no interior: it hides two patches if every segment between their relative interiors passes
-/// from one side of its plane to the other, within its edges. It hides no patch that lies in its plane, up to
-/// VisibilityOptions::tolerance: a patch of a turned wall, whose corners are rounded, may lie a little behind the wall.
+/// A *solid* is a solid box, or a solid hull, or a larger box that several boxes form together, as merged_boxes() finds
+/// it (solids.hpp). The boxes that inscribed_box() finds inside solid hulls (solids.hpp) are among these boxes. A hull
+/// without an interior hides nothing. A polygon has no interior: it hides two patches if every segment between their
+/// relative interiors passes from one side of its plane to the other, within its edges.
+///
+/// A patch of a turned wall, whose corners are rounded, may lie a little behind the wall. So a polygon hides no patch
+/// that lies in its plane, up to VisibilityOptions::tolerance. A hull hides two patches only if, for each of its faces,
+/// one of the two lies on or behind the plane of the face, and not all of it in the plane, up to the tolerance.
 ///
 /// Answers are exact for the floats given: these definitions alone determine the undecided pairs and their candidates.
 /// A pair that faces away or is occluded is never reported as `clear`. A pair that both faces away and is occluded gets
@@ -149,8 +152,9 @@ class SHAFTCULL_EXPORT Occluders {
   std::size_t add_solids(const BoxView& boxes);
   std::size_t add_solids(std::span<const Box> boxes);
   /// Adds solid convex hulls: a turned cupboard or building. `corners` holds the corners of all hulls, hull after hull.
-  /// Hull i has corners[first_corner[i] … first_corner[i + 1]), 4 to 32 of them. A hull makes pairs `occluded` by the
-  /// largest box found inside it (inscribed_box()); the call finds this box at once.
+  /// Hull i has corners[first_corner[i] … first_corner[i + 1]), 4 or more of them; points that are no corners of the
+  /// hull may be among them. The call finds the faces of the hull, and a box inside it (inscribed_box(); of more than 32
+  /// points, inside 32 of them). O(n²) for a hull of n points, and 200 bytes per corner more.
   std::size_t add_solid_hulls(std::span<const Vec3> corners, std::span<const std::size_t> first_corner);
   /// Adds flat convex polygons, by their corners in order: walls without thickness. Polygons make pairs `occluded`.
   /// Arguments are as for hulls, with 3 corners or more per polygon. Polygons are treated as in occluded(shaft,
@@ -163,8 +167,7 @@ class SHAFTCULL_EXPORT Occluders {
   /// Triangles make no pair `occluded`.
   std::size_t add_triangles(const TriangleView& triangles, std::span<const std::size_t> first_triangle = {});
   /// Adds what find_solids() (solids.hpp) found in triangles that are added otherwise. It makes pairs `occluded` as
-  /// hulls, polygons and solids do, but is no occluder itself: it has no number, and pairs are `clear` without it. A
-  /// hull with more than 32 corners makes pairs `occluded` by a box inside 32 of them.
+  /// hulls, polygons and solids do, but is no occluder itself: it has no number, and pairs are `clear` without it.
   void add_found(const FoundSolids& found);
 
   /// The number of occluders.
@@ -250,8 +253,10 @@ struct VisibilityOptions {
   /// Whether an occluder that only touches a shaft reaches into it: only with closed contact. What hides a pair does
   /// not depend on the contact.
   Contact contact = Contact::open;
-  /// Whether a solid may make a pair `occluded` although a box of the pair reaches into it (for a flat solid: touches
-  /// it). Rays that start inside a solid do not meet its front. Set it to false where answers must agree with rays.
+  /// Whether a solid may make a pair `occluded` although a patch of the pair reaches into it. Rays that start inside a
+  /// solid do not meet its front. Set it to false where answers must agree with rays. A patch reaches into a solid box
+  /// if the box around the patch does (for a flat solid: touches it). It reaches into a solid hull unless all corners
+  /// of the patch lie on or in front of one face of the hull.
   bool solids_around_ends = true;
   /// How far in front of a plane a point may be and still count as behind it, because coordinates are rounded: it does
   /// if moving each of its coordinates by `tolerance` or less brings it there. In the units of the scene; finite, 0 or

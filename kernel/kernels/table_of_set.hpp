@@ -11,6 +11,7 @@
 #include "kernels/set_bits.hpp"
 #include "kernels/shared/block_tests.hpp"
 #include "kernels/siblings/block.hpp"
+#include "kernels/siblings/cone.hpp"
 #include "kernels/siblings/facing.hpp"
 #include "kernels/siblings/form.hpp"
 #include "kernels/siblings/keep.hpp"
@@ -113,6 +114,8 @@ inline constexpr Kernels kernels_for = {
                  .corners_behind_plane = corners_behind_plane<L>,
                  .points_behind_planes = points_behind_planes<L>,
                  .segments_through = segments_through<L>,
+                 .corners_behind_cone = corners_behind_cone<L>,
+                 .boxes_behind_cone = boxes_behind_cone<L>,
                  .behind_groups = behind_groups<L>,
                  .behind_group = behind_group<L>},
     .triangles_by_vertices = test_triangles_by_vertices<L>,

@@ -136,8 +136,7 @@ std::uint64_t Ladder::compare_with_group(Level& level, const Side& lanes, const 
                       may.data());
   }
   form(group, 0, lanes, left);
-  answer(kernels.block(siblings_, job_.solids.data(), lists.solids.data(), lists.solids.size(), may.data(), left),
-         Sight::occluded);
+  answer(occluded_by_solids(lists.solids.data(), lists.solids.size(), may.data(), left), Sight::occluded);
   answer(occluded_by_polygons(lists.polygons.data(), lists.polygons.size(), nullptr, left, false), Sight::occluded);
   if (left == 0) return 0;
 

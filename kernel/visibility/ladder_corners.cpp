@@ -2,6 +2,8 @@
 /// Pairs of patches with corners: the shaft between two polygons is narrower than the one between the boxes around
 /// them.
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <span>
 
 #include "exact/blocking.hpp"
@@ -11,6 +13,13 @@
 #include "visibility/lanes.hpp"
 
 namespace shaftcull::kernel {
+namespace {
+
+/// So many lanes or more are worth forming planes for all of them.
+constexpr int many_lanes = 8;
+
+}  // namespace
+
 /// Whether the box of a lane reaches into a solid; if that is flat, whether it touches it.
 bool Ladder::Side::reaches_into(unsigned lane, const float (&solid)[6]) const noexcept {
   const bool is_flat = solid[0] == solid[3] || solid[1] == solid[4] || solid[2] == solid[5];
@@ -48,12 +57,26 @@ std::uint64_t Ladder::block_corners(const Side& rows, unsigned row, const Side& 
   form_exchanged(rows, row, columns, left);
   kernels.may_block(siblings_, job_.solids.data(), solids.list.data(), solids.count, solids.may.data(), left,
                     solids.kept.data());
-  for (std::size_t i = 0; i != solids.count; ++i) {
+  const std::size_t hulls = hulls_in(solids.list.data(), solids.count);
+  for (std::size_t i = 0; i != hulls; ++i) {
+    occluded |= occluded_by_hull(solids.list[i], a.all(), columns, solids.kept[i] & ~occluded);
+  }
+  for (std::size_t i = hulls; i != solids.count; ++i) {
     const float(&row_of)[8] = job_.solids[solids.list[i]].face;
     const float solid[6] = {row_of[0], row_of[1], row_of[2], row_of[3], row_of[4], row_of[5]};
     if (!job_.solids_around_ends && rows.reaches_into(row, solid)) continue;
-    for_each_lane(solids.kept[i] & ~occluded, [&](unsigned lane) {
-      if (!job_.solids_around_ends && columns.reaches_into(lane, solid)) return;
+    std::uint64_t may = solids.kept[i] & ~occluded;
+    if (!job_.solids_around_ends) {
+      for_each_lane(may, [&](unsigned lane) {
+        if (columns.reaches_into(lane, solid)) may &= ~bit(lane);
+      });
+    }
+    const bool is_flat = solid[0] == solid[3] || solid[1] == solid[4] || solid[2] == solid[5];
+    if (!is_flat && std::popcount(may) >= many_lanes) {
+      occluded |= occluded_by_box(solid, a.all(), columns, may);
+      continue;
+    }
+    for_each_lane(may, [&](unsigned lane) {
       if (box_blocks(a.all(), columns.corners(lane).all(), solid)) occluded |= bit(lane);
     });
   }

@@ -63,10 +63,8 @@ std::uint64_t Ladder::Side::patches_behind(const Side& other, unsigned lane, std
   const std::uint64_t boxes = asked & ~not_boxes;
   const std::uint64_t behind = boxes == 0 ? 0 : boxes & kernels.behind_plane(other.plane(lane), box, count);
   if (boxes == asked) return behind;
-  const float* corner[3 * most_patch_corners];
-  const CornerStreams& streams = set.tree.corner_streams();
-  for (unsigned s = 0; s != 3 * streams.corners(); ++s) corner[s] = streams.streams()[s] + first;
-  return behind | kernels.corners_behind_plane(other.plane(lane), corner, streams.corners(), count, asked & not_boxes);
+  const CornersOfLanes of(*this);
+  return behind | kernels.corners_behind_plane(other.plane(lane), of.stream, of.corners, count, asked & not_boxes);
 }
 
 /// Lanes of `asked` of which no patch and no patch of a lane of another side see each other, since one of the two lies

@@ -50,6 +50,21 @@ struct Ladder::Side {
     planes.exact.corners = of.tree.corner_streams().corners();
     planes.exact.first = from;
   }
+  /// Streams of the corners of all lanes: stream 3 c + k has coordinate k of corner c. A box has eight.
+  struct CornersOfLanes {
+    const float* stream[3 * most_patch_corners];
+    unsigned corners;
+
+    explicit CornersOfLanes(const Side& side) noexcept
+        : corners(side.set.tree.has_corners() ? side.set.tree.corner_streams().corners() : most_patch_corners) {
+      const bool has_corners = side.set.tree.has_corners();
+      for (unsigned s = 0; s != 3 * corners; ++s) {
+        const unsigned k = s % 3;
+        stream[s] = has_corners ? side.set.tree.corner_streams().streams()[s] + side.first
+                                : side.box[(s / 3 >> k & 1U) != 0 ? k + 3 : k];
+      }
+    }
+  };
   static Side alone(const SightSet& set, std::uint32_t group) { return {set, group, 1, false}; }
   static Side children(const SightSet& set, std::uint32_t group) {
     const PatchGroup& parent = set.tree.groups()[group];

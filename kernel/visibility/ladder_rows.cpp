@@ -98,8 +98,7 @@ void Ladder::answer_row(std::size_t depth, const Side& rows, unsigned row, const
 
 /// Siblings of `asked` that a solid or a polygon blocks.
 std::uint64_t Ladder::block(const Selection& solids, const Selection& polygons, std::uint64_t asked, bool are_boxes) {
-  const std::uint64_t occluded =
-      job_.kernels.block(siblings_, job_.solids.data(), solids.list.data(), solids.count, solids.may.data(), asked);
+  const std::uint64_t occluded = occluded_by_solids(solids.list.data(), solids.count, solids.may.data(), asked);
   return occluded |
          occluded_by_polygons(polygons.list.data(), polygons.count, polygons.may.data(), asked & ~occluded, are_boxes);
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
-#include <tuple>
+#include <utility>
 
 #include "shaftcull/hull.hpp"
 #include "shaftcull/solids.hpp"
@@ -45,6 +45,7 @@ class Addition {
         triangles_(data.triangles.size()),
         parts_(data.parts.size()),
         solids_(data.solids.size()),
+        hulls_(data.hulls.size()),
         polygons_(data.polygons.size()),
         polygon_corners_(data.polygon_corners.size()),
         largest_coordinate_(data.largest_coordinate) {}
@@ -61,6 +62,8 @@ class Addition {
     shorten(data_.parts, parts_);
     shorten(data_.part_vertices, parts_);
     shorten(data_.solids, solids_);
+    shorten(data_.hulls, hulls_);
+    shorten(data_.hull_boxes, hulls_);
     shorten(data_.polygons, polygons_);
     shorten(data_.polygon_sides, polygons_);
     shorten(data_.polygon_corners, polygon_corners_);
@@ -105,11 +108,21 @@ class Addition {
     note(solid);
     data_.solids.push_back(solid);
   }
+  /// A solid hull, likewise, and the box inside it: this may be a part of a larger box, and hides whole groups quickly.
+  void add_solid_hull(const Box& around, std::span<const Vec3> corners) {
+    const Box inside = inscribed_box(kernel::spread_points(corners, ConvexHull::max_vertices));
+    add_solid(inside);
+    if (inside == around) return;
+    kernel::HullMesh mesh(corners);
+    if (!mesh.has_interior()) return;
+    data_.hulls.push_back(std::move(mesh));
+    data_.hull_boxes.push_back(row_of(around));
+  }
 
   /// Returns the number of the first one that was added.
   std::size_t keep() noexcept {
     is_kept_ = true;
-    if (data_.solids.size() != solids_) data_.solid_rows.forget();
+    if (data_.solids.size() != solids_ || data_.hulls.size() != hulls_) data_.solid_rows.forget();
     if (data_.size() != size_) data_.clumps.forget();
     if (data_.polygons.size() != polygons_) data_.polygon_clumps.forget();
     return size_;
@@ -136,6 +149,7 @@ class Addition {
   std::size_t triangles_;
   std::size_t parts_;
   std::size_t solids_;
+  std::size_t hulls_;
   std::size_t polygons_;
   std::size_t polygon_corners_;
   float largest_coordinate_;
@@ -192,58 +206,9 @@ void put_extremes_first(std::vector<Vec3>& vertices) {
 
 }  // namespace
 
-namespace {
-
-/// Whether the relative interior of one box holds that of another one. Then it blocks all that the other one does.
-bool blocks_all_of(const Box& larger, const Box& smaller) noexcept {
-  for (std::size_t k = 0; k != 3; ++k) {
-    if (smaller.lo[k] < larger.lo[k] || smaller.hi[k] > larger.hi[k]) return false;
-    if (smaller.lo[k] < smaller.hi[k] || larger.lo[k] == larger.hi[k]) continue;
-    if (smaller.lo[k] == larger.lo[k] || smaller.hi[k] == larger.hi[k]) return false;  // flat, in the other one's face
-  }
-  return true;
-}
-
-bool is_less(const Box& a, const Box& b) noexcept { return std::tie(a.lo, a.hi) < std::tie(b.lo, b.hi); }
-
-/// Puts those of `boxes` first that no box of `larger` blocks all of, and returns how many there are. Both are sorted
-/// by lo x.
-std::size_t put_needed_first(std::vector<Box>& boxes, std::span<const Box> larger) {
-  std::vector<const Box*> open;  // those that reach as far as the box at hand
-  auto next = larger.begin();
-  const auto middle = std::stable_partition(boxes.begin(), boxes.end(), [&](const Box& box) {
-    for (; next != larger.end() && next->lo[0] <= box.lo[0]; ++next) open.push_back(&*next);
-    std::erase_if(open, [&](const Box* other) { return other->hi[0] < box.lo[0]; });
-    return std::none_of(open.begin(), open.end(), [&](const Box* other) { return blocks_all_of(*other, box); });
-  });
-  return static_cast<std::size_t>(middle - boxes.begin());
-}
-
-/// In modes in which denormals are what they are.
-kernel::SolidRows made_rows(std::span<const Box> solids) {
-  std::vector<Box> together = merged_boxes(solids);
-  std::sort(together.begin(), together.end(), is_less);
-  std::vector<Box> alone(solids.begin(), solids.end());
-  std::sort(alone.begin(), alone.end(), is_less);
-  alone.erase(std::unique(alone.begin(), alone.end()), alone.end());
-  std::erase_if(alone,
-                [&](const Box& box) { return std::binary_search(together.begin(), together.end(), box, is_less); });
-  kernel::SolidRows made;
-  made.largest = together.size() + put_needed_first(alone, together);
-  made.rows.reserve(together.size() + alone.size());
-  for (const std::vector<Box>* some : {&together, &alone}) {
-    for (const Box& solid : *some) {
-      made.rows.push_back({{solid.lo[0], solid.lo[1], solid.lo[2], solid.hi[0], solid.hi[1], solid.hi[2], 0, 0}});
-    }
-  }
-  made.clumps = kernel::box_clumps(made.rows);
-  return made;
-}
-
-}  // namespace
-
 kernel::MadeOnce<kernel::SolidRows>::Shared kernel::solid_rows_of(const OccluderData& occluders) {
-  return occluders.solid_rows.of([&] { return in_float_environment([&] { return made_rows(occluders.solids); }); });
+  return occluders.solid_rows.of(
+      [&] { return in_float_environment([&] { return made_solid_rows(occluders.solids, occluders.hull_boxes); }); });
 }
 
 kernel::MadeOnce<kernel::BoxClumps>::Shared kernel::clumps_of(const OccluderData& occluders) {
@@ -306,12 +271,11 @@ std::size_t Occluders::add_solids(const BoxView& boxes) {
 std::size_t Occluders::add_solid_hulls(std::span<const Vec3> corners, std::span<const std::size_t> first_corner) {
   return kernel::in_float_environment([&] {
     Addition addition(own());
-    add_parts(corners, first_corner, "hull", 4, ConvexHull::max_vertices,
-              [&](const Box& box, std::span<const Vec3> hull) {
-                addition.add_points(hull);
-                addition.add(box);
-                addition.add_solid(inscribed_box(hull));
-              });
+    add_parts(corners, first_corner, "hull", 4, kernel::any_number, [&](const Box& box, std::span<const Vec3> hull) {
+      addition.add_points(hull);
+      addition.add(box);
+      addition.add_solid_hull(box, hull);
+    });
     return addition.keep();
   });
 }
@@ -333,9 +297,7 @@ void Occluders::add_found(const FoundSolids& found) {
   kernel::in_float_environment([&] {
     Addition addition(own());
     add_parts(found.hull_corners, found.first_hull_corner, "hull", 4, kernel::any_number,
-              [&](const Box& /*box*/, std::span<const Vec3> hull) {
-                addition.add_solid(inscribed_box(kernel::spread_points(hull, ConvexHull::max_vertices)));
-              });
+              [&](const Box& box, std::span<const Vec3> hull) { addition.add_solid_hull(box, hull); });
     add_parts(found.polygon_corners, found.first_polygon_corner, "polygon", 3, kernel::any_number,
               [&](const Box& box, std::span<const Vec3> polygon) { addition.add_polygon(box, polygon); });
     for (const Box& box : usable_boxes(found.inner_boxes, "box")) addition.add_solid(box);

@@ -9,22 +9,15 @@
 #include <span>
 #include <vector>
 
+#include "exact/hull_mesh.hpp"
 #include "kernels/siblings/siblings.hpp"
 #include "shaftcull/bounds.hpp"
 #include "support/threads.hpp"
 #include "visibility/box_clumps.hpp"
 #include "visibility/polygon_sides.hpp"
+#include "visibility/solid_rows.hpp"
 
 namespace shaftcull::kernel {
-
-/// The boxes that make pairs occluded: solids, and what they are together.
-struct SolidRows {
-  std::vector<BoxRow> rows;
-  /// So many of them, the first ones, block what all do. If solids that hold a part of an end are to block nothing,
-  /// the others are asked as well: the larger box around one may hold an end that the smaller one does not.
-  std::size_t largest = 0;
-  BoxClumps clumps;  ///< of all rows
-};
 
 /// Something that is made when it is first asked for, by one thread while others wait. Copies share it.
 template <class Made>
@@ -81,6 +74,9 @@ struct OccluderData {
 
   /// Boxes that are solid, as they were given or found in hulls.
   std::vector<Box> solids;
+  /// Solid hulls that are no boxes, and the box around each.
+  std::vector<HullMesh> hulls;
+  std::vector<BoxRow> hull_boxes;
   /// Of each polygon that makes pairs occluded, the box around it.
   std::vector<BoxRow> polygons;
   std::vector<PolygonSides> polygon_sides;  ///< of each

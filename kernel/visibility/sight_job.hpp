@@ -21,7 +21,7 @@ struct SightJob {
   SightSet b;
   bool is_of_one_set;
   const OccluderData& occluders;
-  std::span<const BoxRow> solids;
+  std::span<const BoxRow> solids;               ///< as SolidRows has them
   const BoxClumps& occluder_clumps;             ///< of all occluders
   const BoxClumps& polygon_clumps;              ///< of all polygons
   const BoxClumps& solid_clumps;                ///< of all solids, and of more
@@ -41,7 +41,7 @@ struct SightJob {
 /// What may stand between two groups, by numbers that ascend: of occluders, of merged solids, or of polygons.
 struct SightLists {
   std::vector<std::uint32_t> candidates;
-  std::vector<std::uint32_t> solids;
+  std::vector<std::uint32_t> solids;  ///< the hulls among them come first
   std::vector<std::uint32_t> polygons;
 
   [[nodiscard]] std::size_t held_bytes() const noexcept;

@@ -7,6 +7,7 @@ shaftcull_test(visibility PARTS 2
   visibility/deep_segments.cpp
   visibility/errors.cpp
   visibility/flush_walls.cpp
+  visibility/hulls.cpp
   visibility/patch_tree.cpp
   visibility/rows.cpp
   visibility/siblings.cpp

@@ -856,7 +856,7 @@ class Occluders:
 
     boxes: around things that may hide something: float32 (n, 6), or as those of BoxStream.
     solids: solid boxes, as walls are. They make pairs 'occluded', also where several are one larger box together.
-    hulls: convex hulls that are solid: float32 (n, k, 3), or a list of (k, 3), of 4 to 32 corners each.
+    hulls: convex hulls that are solid: float32 (n, k, 3), or a list of (k, 3), of 4 corners or more each.
     polygons: flat convex polygons without thickness: such arrays, of 3 corners or more in order.
     triangles, faces: a mesh, float32 (n, 3, 3), or vertices (v, 3) with faces, integers (f, 3).
     groups: integers (g + 1,): group i has triangles groups[i] to groups[i + 1]. None: the library makes groups.

@@ -442,7 +442,7 @@ export interface VisibilityScene {
   boxes?: Floats;
   /** Boxes that are solid. */
   solids?: Floats;
-  /** Convex hulls that are solid: for each an array of its corners, 4 to 32 of 3 floats. */
+  /** Convex hulls that are solid: for each an array of its corners, 4 or more of 3 floats. */
   hulls?: readonly Floats[];
   /** Flat convex polygons: for each an array of its corners in order, 3 or more of 3 floats. */
   polygons?: readonly Floats[];

@@ -82,6 +82,22 @@ struct PlaneRow {
   unsigned lane;      ///< which of them it is
 };
 
+/// A plane behind which what a solid hides from one end lies. A point whose computed normal·p − offset is above
+/// `in_front` is in front of it, and one with a value below −`behind` is behind it: for a face of a hull, by more than
+/// the tolerance. Both are infinite where floats overflow.
+struct ConePlane {
+  float normal[3];
+  float offset;
+  float in_front;
+  float behind;
+};
+
+/// Lanes behind all planes of a cone: those that may be, and those among them that are for certain.
+struct BehindCone {
+  std::uint64_t possible;
+  std::uint64_t certain;
+};
+
 /// Streams must be readable up to the end of the vector in which the last lane is: they are padded.
 struct SiblingKernels {
   /// Copies the boxes of six streams that are in `lanes`. Null if that does not pay.
@@ -139,6 +155,15 @@ struct SiblingKernels {
   /// seen certainly passes through it, with both ends at least `least` from its plane, which is not NaN. It may say no.
   std::uint64_t (*segments_through)(const SeenTriangle& triangle, const float* const* end, const float* least,
                                     unsigned count, std::uint64_t asked) noexcept;
+
+  /// The patches of `asked`, of `count` ≤ 64, all of whose corners, in streams as above, lie behind all planes. Bits
+  /// are the same on all instruction sets.
+  BehindCone (*corners_behind_cone)(const ConePlane* planes, std::size_t number, const float* const* corner,
+                                    unsigned corners, unsigned count, std::uint64_t asked) noexcept;
+
+  /// Likewise of boxes in six streams.
+  BehindCone (*boxes_behind_cone)(const ConePlane* planes, std::size_t number, const float* const* boxes,
+                                  unsigned count, std::uint64_t asked) noexcept;
 
   /// The groups of `asked`, of `count` ≤ 64, such that the box lies on or behind every patch's plane. It may say no.
   std::uint64_t (*behind_groups)(const PlaneStreams& groups, unsigned count, const float* box,

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+/// Which patches or groups lie behind all planes of a cone, as what a solid hides from one end does.
+///
+/// What is computed of a corner is off by the plane's error at most, so a lane is certain or left to the exact
+/// predicate. No operation is fused: certain lanes are the same on all instruction sets, and groups need no exact step.
+#pragma once
+
+#include "kernels/shared/word.hpp"
+#include "kernels/siblings/facing.hpp"
+#include "kernels/siblings/siblings.hpp"
+#include "support/compiler.hpp"
+
+namespace shaftcull::kernel {
+
+/// normal·p − offset, of points in three streams from a lane on.
+template <class L>
+typename L::Vector height_above(const ConePlane& plane, const float* x, const float* y, const float* z,
+                                unsigned lane) noexcept {
+  auto sum = L::multiply(L::all(plane.normal[0]), L::load(x + lane));
+  sum = L::add(sum, L::multiply(L::all(plane.normal[1]), L::load(y + lane)));
+  sum = L::add(sum, L::multiply(L::all(plane.normal[2]), L::load(z + lane)));
+  return L::subtract(sum, L::all(plane.offset));
+}
+
+/// Lanes behind all planes; highest(plane, lane) are the heights of their highest corners.
+template <class L, class Highest>
+BehindCone behind_all(const ConePlane* planes, std::size_t number, unsigned count, std::uint64_t asked,
+                      const Highest& highest) noexcept {
+  BehindCone behind{asked & lanes_up_to<L>(count), 0};
+  for (unsigned lane = 0; lane < count; lane += L::width) {
+    const std::uint64_t here = behind.possible & lanes_of<L>(lane);
+    std::uint64_t possible = here;
+    std::uint64_t certain = here;
+    for (std::size_t i = 0; i != number && possible != 0; ++i) {
+      const auto height = highest(planes[i], lane);
+      possible &= ~(L::bits(L::less(L::all(planes[i].in_front), height)) << lane);
+      certain &= L::bits(L::less(height, L::all(-planes[i].behind))) << lane;
+    }
+    behind.possible &= ~here | possible;
+    behind.certain |= certain & possible;
+  }
+  return behind;
+}
+
+/// As SiblingKernels has it.
+template <class L>
+BehindCone corners_behind_cone(const ConePlane* planes, std::size_t number, const float* const* corner,
+                               unsigned corners, unsigned count, std::uint64_t asked) noexcept {
+  return behind_all<L>(planes, number, count, asked, [&](const ConePlane& plane, unsigned lane) {
+    auto highest = height_above<L>(plane, corner[0], corner[1], corner[2], lane);
+    for (unsigned c = 1; c < corners; ++c) {
+      const float* const* const at = corner + 3 * c;
+      highest = L::maximum(highest, height_above<L>(plane, at[0], at[1], at[2], lane));
+    }
+    return highest;
+  });
+}
+
+/// As SiblingKernels has it.
+template <class L>
+BehindCone boxes_behind_cone(const ConePlane* planes, std::size_t number, const float* const* boxes, unsigned count,
+                             std::uint64_t asked) noexcept {
+  return behind_all<L>(planes, number, count, asked, [&](const ConePlane& plane, unsigned lane) {
+    const auto farthest = [&](unsigned k) { return plane.normal[k] > 0 ? boxes[k + 3] : boxes[k]; };
+    return height_above<L>(plane, farthest(0), farthest(1), farthest(2), lane);
+  });
+}
+
+}  // namespace shaftcull::kernel
