@@ -106,8 +106,7 @@ void add_sees(CLI::App& program) {
   sees.add_flag("--flip", options->choice.flip, "Patches see on the other side: normals of the file point away from it")
       ->excludes(two_sided);
   sees.add_option("--solid", options->choice.solid,
-                  "Objects that are solid, by name or pattern ('wall*'): convex, with 32 corners at most; others are "
-                  "skipped")
+                  "Objects that are solid, by name or pattern ('wall*'): closed and convex; others are skipped")
       ->type_name("NAME");
   sees.add_flag("!--no-solids", options->choice.finds_solids,
                 "Look for no solids; without it, bodies and flat faces that hide pairs are found in the triangles");

@@ -81,6 +81,10 @@ class OccluderMaker {
       shapes[object] = solid_shape(of_object[object]);
       if (shapes[object].refusal.empty()) {
         ++scene_.solids.named;
+        if (shapes[object].is_dented) {  // its own triangles are what stands between patches
+          add_hidden_hull(shapes[object].corners);
+          is_solid[object] = false;
+        }
         continue;
       }
       is_solid[object] = false;
@@ -89,6 +93,13 @@ class OccluderMaker {
       }
     }
     return shapes;
+  }
+
+  void add_hidden_hull(const std::vector<Vec3>& corners) {
+    FoundSolids hull;
+    hull.hull_corners = corners;
+    hull.first_hull_corner = {0, corners.size()};
+    scene_.occluders.add_found(hull);
   }
 
   /// Solids in the triangles of all other objects. They hide, and are no occluders: their triangles are.

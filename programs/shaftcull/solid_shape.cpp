@@ -6,8 +6,6 @@
 #include <map>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "patches.hpp"
 #include "shaftcull/geometry.hpp"
 
@@ -64,9 +62,24 @@ std::vector<Vec3> corners_of(std::span<const MeshTriangle> triangles) {
   return corners;
 }
 
-/// Whether all corners are on one side of the plane of each triangle.
-bool is_convex(std::span<const MeshTriangle> triangles, std::span<const Vec3> corners, double slack) {
-  return std::all_of(triangles.begin(), triangles.end(), [&](const MeshTriangle& triangle) {
+Point3 middle_of(std::span<const Vec3> corners) {
+  Point3 middle{};
+  for (const Vec3& corner : corners) {
+    for (std::size_t k = 0; k != 3; ++k) middle[k] += double{corner[k]} / static_cast<double>(corners.size());
+  }
+  return middle;
+}
+
+/// How far corners are on both sides of the plane of a triangle.
+struct Dents {
+  double deepest = 0;
+  double share = 0;  ///< of the way from such a triangle to the middle, the largest
+};
+
+Dents dents_of(std::span<const MeshTriangle> triangles, std::span<const Vec3> corners) {
+  const Point3 middle = middle_of(corners);
+  Dents dents;
+  for (const MeshTriangle& triangle : triangles) {
     const Point3 normal = normal_of(triangle);
     const double offset = dot(normal, in_doubles(triangle.vertex[0]));
     double before = 0;
@@ -76,14 +89,30 @@ bool is_convex(std::span<const MeshTriangle> triangles, std::span<const Vec3> co
       before = std::max(before, distance);
       behind = std::max(behind, -distance);
     }
-    return before <= slack || behind <= slack;
-  });
+    const double depth = std::min(before, behind);
+    dents.deepest = std::max(dents.deepest, depth);
+    const double way = std::abs(dot(normal, middle) - offset);
+    if (depth > 0) dents.share = std::max(dents.share, depth < way ? depth / way : 1);
+  }
+  return dents;
+}
+
+/// Corners of a dented body are moved to the middle until they are behind all triangles: patches of its surface then do
+/// not lie in it.
+void move_into_dents(const Dents& dents, std::vector<Vec3>& corners) {
+  const Point3 middle = middle_of(corners);
+  const double share = std::min(1.0, 2 * dents.share + 0x1p-22);
+  for (Vec3& corner : corners) {
+    for (std::size_t k = 0; k != 3; ++k) {
+      corner[k] = static_cast<float>(corner[k] + share * (middle[k] - double{corner[k]}));
+    }
+  }
 }
 
 }  // namespace
 
 SolidShape solid_shape(std::span<const MeshTriangle> triangles) {
-  SolidShape shape{{}, false, ""};
+  SolidShape shape;
   if (!is_closed(triangles)) {
     shape.refusal = "it is not closed: an edge has one triangle, or more than two";
     return shape;
@@ -93,11 +122,6 @@ SolidShape solid_shape(std::span<const MeshTriangle> triangles) {
     shape.refusal = "it is flat";
     return shape;
   }
-  if (shape.corners.size() > most_solid_corners) {
-    shape.refusal =
-        fmt::format("it has {} corners, and a solid has {} at most", shape.corners.size(), most_solid_corners);
-    return shape;
-  }
   const Box box = box_around(shape.corners);
   double size = 0;
   double furthest = 0;
@@ -105,7 +129,8 @@ SolidShape solid_shape(std::span<const MeshTriangle> triangles) {
     size = std::max(size, double{box.hi[axis]} - double{box.lo[axis]});
     furthest = std::max({furthest, std::abs(double{box.lo[axis]}), std::abs(double{box.hi[axis]})});
   }
-  if (!is_convex(triangles, shape.corners, 1e-4 * size + 1e-6 * furthest)) {
+  const Dents dents = dents_of(triangles, shape.corners);
+  if (dents.deepest > 1e-4 * size + 1e-6 * furthest) {
     shape.refusal = "it is not convex";
     return shape;
   }
@@ -114,6 +139,8 @@ SolidShape solid_shape(std::span<const MeshTriangle> triangles) {
         return (corner[0] == box.lo[0] || corner[0] == box.hi[0]) &&
                (corner[1] == box.lo[1] || corner[1] == box.hi[1]) && (corner[2] == box.lo[2] || corner[2] == box.hi[2]);
       });
+  shape.is_dented = !shape.is_box && dents.deepest > 0;
+  if (shape.is_dented) move_into_dents(dents, shape.corners);
   return shape;
 }
 

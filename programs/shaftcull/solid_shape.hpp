@@ -10,13 +10,11 @@
 
 namespace shaftcull::cli {
 
-/// The most corners that a solid may have.
-inline constexpr std::size_t most_solid_corners = 32;
-
 /// What an object is as a solid.
 struct SolidShape {
   std::vector<Vec3> corners;  ///< those of its convex hull; vertices within its edges and faces are left out
   bool is_box = false;        ///< it is the box around it
+  bool is_dented = false;     ///< some triangles have corners on both sides; `corners` are moved until none have
   std::string refusal;        ///< why it is no solid: "it is not closed"; empty if it is one
 };
 
