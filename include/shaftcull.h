@@ -783,8 +783,8 @@ SHAFTCULL_API shaftcull_status shaftcull_occluders_add_solids(shaftcull_occluder
                                                               const shaftcull_source* boxes, uint64_t* first);
 
 /// Adds solid convex hulls, one occluder per hull: hull i has the corners first_corner[i] to before first_corner[i + 1]
-/// of all `corner_count`, 3 floats each, 4 or more corners per hull. `first_corner` has hull_count + 1 numbers, or may be
-/// NULL if there are no hulls.
+/// of all `corner_count`, 3 floats each, 4 or more corners per hull. `first_corner` has hull_count + 1 numbers, or may
+/// be NULL if there are no hulls.
 SHAFTCULL_API shaftcull_status shaftcull_occluders_add_solid_hulls(shaftcull_occluders* occluders, const float* corners,
                                                                    uint64_t corner_count, const uint64_t* first_corner,
                                                                    uint64_t hull_count, uint64_t* first);

@@ -29,10 +29,12 @@ class HullCone {
     bool takes_in_end;      ///< all of this end lies in the plane: not all of the other one must
   };
 
-  /// The planes of faces for one end, the hull of finite points; there is at least one. The hull has an interior. Both
-  /// stay the caller's, for the calls below. Memory is kept from one end to the next.
+  /// For one end, the hull of finite points; there is at least one. The hull has an interior. Both stay the caller's,
+  /// for the calls below. Memory is kept from one end to the next.
   void begin(const HullMesh& hull, std::span<const Vec3> end, EndPoints counting, float tolerance);
-  /// Adds the planes through edges.
+  /// Adds the planes of some of the faces, if they are planes of the cone. Returns whether faces are left.
+  [[nodiscard]] bool add_some_faces();
+  /// Adds the planes through edges, after all faces.
   void add_edges();
 
   [[nodiscard]] std::span<const Plane> planes() const noexcept { return planes_; }
@@ -47,6 +49,7 @@ class HullCone {
   std::span<const Vec3> end_;
   EndPoints counting_ = EndPoints::all;
   float tolerance_ = 0;
+  std::size_t next_face_ = 0;
   std::vector<Plane> planes_;
   std::vector<std::int8_t> sides_;        ///< of each face, those of the end's points
   std::vector<unsigned char> is_behind_;  ///< of each face, whether the end is behind it

@@ -109,7 +109,6 @@ std::uint64_t Ladder::occluded_by_hull(std::uint32_t hull, std::uint64_t may_blo
       [&](std::span<const ConePlane> planes, std::uint64_t lanes) {
         return job_.kernels.boxes_behind_cone(planes.data(), planes.size(), siblings_.other, siblings_.count, lanes);
       });
-  if (job_.solids_around_ends && are_groups) return behind.certain;
   std::uint64_t occluded = job_.solids_around_ends ? behind.certain : 0;
   for_each_lane(behind.possible & ~occluded, [&](unsigned lane) {
     float other[6];
@@ -144,24 +143,32 @@ std::uint64_t Ladder::occluded_by_box(const float (&solid)[6], std::span<const V
 }
 
 /// Lanes of `asked` behind the planes of what a solid hides from an end; behind(planes, lanes) are those behind some of
-/// them. Few are behind those of faces: only where some may be, planes through edges are formed.
+/// them. Few are behind those of faces: only where some may be, more planes are formed, through edges last. Groups are
+/// not asked exactly, so of these all that may be are certain.
 template <class Behind>
 BehindCone Ladder::behind_cone(const HullMesh& mesh, std::span<const Vec3> fixed, EndPoints counting, float tolerance,
                                std::uint64_t asked, const Behind& behind) {
-  const auto planes_from = [&](std::size_t first) {
+  BehindCone all{asked, asked};
+  const auto test_from = [&](std::size_t first) {
     cone_planes_.clear();
     for (const HullCone::Plane& plane : cone_.planes().subspan(first)) {
       cone_planes_.push_back(plane_in_lanes(plane, tolerance, job_.a.coordinate));
     }
-    return std::span<const ConePlane>(cone_planes_);
+    const BehindCone of_some = behind(std::span<const ConePlane>(cone_planes_), all.possible);
+    all = {of_some.possible, all.certain & of_some.certain};
+    if (counting == EndPoints::all) all.possible = all.certain;
   };
   cone_.begin(mesh, fixed, counting, tolerance);
+  for (bool are_left = true; are_left && all.possible != 0;) {
+    const std::size_t first = cone_.planes().size();
+    are_left = cone_.add_some_faces();
+    test_from(first);
+  }
+  if (all.possible == 0) return all;
   const std::size_t faces = cone_.planes().size();
-  const BehindCone of_faces = behind(planes_from(0), asked);
-  if (of_faces.possible == 0) return of_faces;
   cone_.add_edges();
-  const BehindCone of_edges = behind(planes_from(faces), of_faces.possible);
-  return {of_edges.possible, of_faces.certain & of_edges.certain};
+  test_from(faces);
+  return all;
 }
 
 /// Lanes of `asked` that a solid hides from a patch, by their corners.

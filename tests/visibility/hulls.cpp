@@ -149,6 +149,12 @@ struct HullCase {
   }
 };
 
+void form(HullCone& cone, const HullMesh& mesh, const std::vector<Vec3>& end, EndPoints counting, float tolerance) {
+  cone.begin(mesh, end, counting, tolerance);
+  while (cone.add_some_faces()) continue;
+  cone.add_edges();
+}
+
 TEST(HullCone, HidesWhatTheOracleSays) {
   std::uint64_t hidden = 0;
   std::uint64_t by_all = 0;
@@ -157,24 +163,20 @@ TEST(HullCone, HidesWhatTheOracleSays) {
     const HullMesh mesh(of.hull);
     if (!mesh.has_interior()) continue;
     HullCone cone;
-    cone.begin(mesh, of.a, EndPoints::of_relative_interior, of.tolerance);
-    cone.add_edges();
+    form(cone, mesh, of.a, EndPoints::of_relative_interior, of.tolerance);
     const bool hides = cone.hides(of.b);
     ASSERT_EQ(hides, oracle::SightOracle(of.question()).truth(0, 0).is_occluded) << "HullCase(" << seed << ")";
     HullCone back;
-    back.begin(mesh, of.b, EndPoints::of_relative_interior, of.tolerance);
-    back.add_edges();
+    form(back, mesh, of.b, EndPoints::of_relative_interior, of.tolerance);
     ASSERT_EQ(hides, back.hides(of.a)) << "the other way about, HullCase(" << seed << ")";
-    cone.begin(mesh, of.a, EndPoints::all, of.tolerance);
-    cone.add_edges();
+    form(cone, mesh, of.a, EndPoints::all, of.tolerance);
     const bool hides_all = cone.hides(of.b);
     if (of.hull == corners_of(box_around(of.hull))) {
       const Box box = box_around(of.hull);
       const float faces[6] = {box.lo[0], box.lo[1], box.lo[2], box.hi[0], box.hi[1], box.hi[2]};
       HullMesh of_box;
       of_box.become(faces);
-      cone.begin(of_box, of.a, EndPoints::of_relative_interior, of.tolerance);
-      cone.add_edges();
+      form(cone, of_box, of.a, EndPoints::of_relative_interior, of.tolerance);
       ASSERT_EQ(hides, cone.hides(of.b)) << "as a box, HullCase(" << seed << ")";
     }
     ASSERT_TRUE(hides || !hides_all) << "all points, HullCase(" << seed << ")";
