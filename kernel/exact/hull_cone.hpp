@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Whether a solid hull hides two ends of segments from each other, exactly (docs/exactness.md, "Hulls").
+/// Whether a solid hull hides two ends of segments from each other, exactly (docs/exactness.md, "Solid hulls").
 ///
 /// What a hull hides from one end lies behind some planes: those of faces that the end is not behind, and those through
 /// an edge of the hull and a corner of the end. These planes are the same for all other ends.
