@@ -208,6 +208,27 @@ TEST(VisibilityOfCorners, ToleranceMovesEachCoordinate) {
   EXPECT_EQ(count_visibility(patch, receiver, Occluders(), options).clear, 1U);
 }
 
+TEST(VisibilityOfCorners, APolygonHidesBoxesThatTouchItsPlaneByAnEdgeWhateverTheTolerance) {
+  Occluders occluders;
+  const std::vector<Vec3> wall{{0, -5, -5}, {0, 5, -5}, {0, 5, 5}, {0, -5, 5}};
+  const std::vector<std::size_t> first{0, 4};
+  occluders.add_polygons(wall, first);
+  const Box left{{-1, 0, 0}, {0, 1, 0}};
+  const Box right{{0, 0, 1}, {1, 1, 1}};
+  const Box in_wall{{0, 0, 0}, {0, 1, 1}};
+  const auto count = [&](const Box& a, const Box& b, float tolerance) {
+    VisibilityOptions options;
+    options.tolerance = tolerance;
+    return count_visibility(PatchSet(std::span(&a, 1)), PatchSet(std::span(&b, 1)), occluders, options);
+  };
+  on_each_instruction_set([&] {
+    for (const float tolerance : {0.0F, 0.25F}) {
+      EXPECT_EQ(count(left, right, tolerance).occluded, 1U);
+      EXPECT_EQ(count(left, in_wall, tolerance).occluded, 0U);
+    }
+  });
+}
+
 TEST(VisibilityOfCorners, NothingFacesAwayFromAPatchWithoutArea) {
   const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 5, 0}, {1, 5, 0}, {3, 5, 0}};
   const std::vector<std::size_t> first{0, 3, 6};

@@ -46,7 +46,9 @@ class Triangles {
     return corners;
   }
   [[nodiscard]] float coordinate() const { return (offset_ + 64) * factor_; }
-  [[nodiscard]] float tolerance() { return random_.one_in(2) ? 0 : std::ldexp(coordinate(), -6 - static_cast<int>(random_.below(19))); }
+  [[nodiscard]] float tolerance() {
+    return random_.one_in(2) ? 0 : std::ldexp(coordinate(), -6 - static_cast<int>(random_.below(19)));
+  }
 
  private:
   Random random_;
