@@ -14,6 +14,9 @@
 #include "oracle/sight_agreement.hpp"
 #include "shaftcull/error.hpp"
 #include "shaftcull/isa.hpp"
+#include "shaftcull/solids.hpp"
+#include "shaftcull/streams.hpp"
+#include "shaftcull/triangles.hpp"
 
 namespace shaftcull::fuzz {
 namespace {
@@ -216,6 +219,50 @@ std::string fault_of_little_memory(const SightScene& scene) {
   return fault.empty() ? fault : "in little memory, " + fault;
 }
 
+/// The surfaces of boxes as triangles that look outwards.
+std::vector<Triangle> surfaces_of(const std::vector<Box>& boxes) {
+  std::vector<Triangle> triangles;
+  for (const Box& box : boxes) {
+    const auto corner = [&](std::size_t axis, bool above, bool first, bool second) {
+      Vec3 p{};
+      p[axis] = above ? box.hi[axis] : box.lo[axis];
+      p[(axis + 1) % 3] = first ? box.hi[(axis + 1) % 3] : box.lo[(axis + 1) % 3];
+      p[(axis + 2) % 3] = second ? box.hi[(axis + 2) % 3] : box.lo[(axis + 2) % 3];
+      return p;
+    };
+    for (std::size_t axis = 0; axis != 3; ++axis) {
+      for (const bool above : {false, true}) {
+        const Vec3 low = corner(axis, above, false, false);
+        const Vec3 high = corner(axis, above, true, true);
+        triangles.push_back({{low, corner(axis, above, above, !above), high}});
+        triangles.push_back({{low, high, corner(axis, above, !above, above)}});
+      }
+    }
+  }
+  return triangles;
+}
+
+/// Solids found in the surfaces of all boxes make pairs occluded, and change nothing else.
+std::string fault_of_found(const SightCase& of, const Visibility& plain, const FoundSolids& found) {
+  SightCase with_found(of.scene);
+  with_found.occluders.add_found(found);
+  const SightTable without(of, plain);
+  const SightTable with(with_found, with_found.collect(of.options));
+  if (!with.fault().empty()) return "with found solids, " + with.fault();
+  for (std::size_t i = 0; i != of.a.size(); ++i) {
+    for (std::size_t j = 0; j != of.b.size(); ++j) {
+      const SightTable::Entry& before = without.at(i, j);
+      const SightTable::Entry& now = with.at(i, j);
+      if (now.sight == Sight::occluded && before.sight) continue;
+      if (now.sight == Sight::facing_away && before.sight == Sight::occluded) continue;
+      if (now.sight != before.sight || (now.sight == Sight::undecided && now.candidates != before.candidates)) {
+        return "pair " + std::to_string(i) + ", " + std::to_string(j) + " has another answer with found solids";
+      }
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 void check_sights(const Case& it) {
@@ -223,6 +270,9 @@ void check_sights(const Case& it) {
   const SightScene scene = scene_of(it, of_case);
   const SightCase of(scene);
   const SightTruths truths(of);
+  const std::vector<Triangle> surfaces = surfaces_of(of_case.boxes);
+  const TriangleStream stream{std::span<const Triangle>(surfaces)};
+  std::optional<FoundSolids> first_found;
   const Isa before = active_isa();
   std::string fault;
   for (const Isa isa : available_isas()) {
@@ -231,6 +281,10 @@ void check_sights(const Case& it) {
     const Visibility all = of.collect(of.options);
     fault = truths.fault_of(all);
     if (fault.empty()) fault = fault_of_resolving(of, all);
+    const FoundSolids found = find_solids(stream);
+    if (!first_found) first_found = found;
+    if (fault.empty() && found != *first_found) fault = "instruction sets find other solids";
+    if (fault.empty()) fault = fault_of_found(of, all, found);
   }
   select_isa(before);
   constexpr std::size_t one_in = 16;
