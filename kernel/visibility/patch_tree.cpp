@@ -15,8 +15,8 @@
 namespace shaftcull::kernel {
 namespace {
 
-/// Fewer patches are cut by place at once: there are few groups of them.
-constexpr std::size_t fewest_by_facing = PatchTree::most_children * PatchTree::most_patches;
+/// Fewer patches are grouped by place alone: there are few groups of them, and those as wide as the set cost more.
+constexpr std::size_t fewest_by_facing = 4096;
 
 /// Items side by side that are to be a group.
 struct Part {
