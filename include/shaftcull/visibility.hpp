@@ -154,7 +154,7 @@ class SHAFTCULL_EXPORT Occluders {
   /// Adds solid convex hulls: a turned cupboard or building. `corners` holds the corners of all hulls, hull after hull.
   /// Hull i has corners[first_corner[i] … first_corner[i + 1]), 4 or more of them; points that are no corners of the
   /// hull may be among them. The call finds the faces of the hull, and a box inside it (inscribed_box(); of more than
-  /// 32 points, inside 32 of them). O(n²) for a hull of n points, and 200 bytes per corner more.
+  /// 32 points, inside 32 of them). O(n²) for a hull of n points, and up to 250 bytes per corner more.
   std::size_t add_solid_hulls(std::span<const Vec3> corners, std::span<const std::size_t> first_corner);
   /// Adds flat convex polygons, by their corners in order: walls without thickness. Polygons make pairs `occluded`.
   /// Arguments are as for hulls, with 3 corners or more per polygon. Polygons are treated as in occluded(shaft,
