@@ -92,14 +92,17 @@ bool HullCone::hides(std::span<const Vec3> other) const noexcept {
 bool HullCone::is_behind(const Plane& plane, std::span<const Vec3> other) const noexcept {
   const bool all_count = counting_ == EndPoints::all;
   const SpannedPlane through = plane_of(plane.p, plane.q, plane.r);
+  const auto is_off = [&](const Vec3& x) { return plane.face->is_behind(x, tolerance_); };
+  // Whether an end lies in a face is seldom a close decision, but which side of it such an end is on is.
+  if (plane.face != nullptr && tolerance_ > 0 && std::none_of(other.begin(), other.end(), is_off)) return false;
   bool any_off = !plane.takes_in_end;
   for (const Vec3& x : other) {
     const int side = plane.face != nullptr ? plane.face->side(x) : side_of(through, x);
     if (side > 0) return false;
     if (any_off && !all_count) continue;
-    const bool is_off = side < 0 && (plane.face == nullptr || plane.face->is_behind(x, tolerance_));
-    if (all_count && !is_off) return false;
-    any_off = any_off || is_off;
+    const bool is_behind = side < 0 && (plane.face == nullptr || is_off(x));
+    if (all_count && !is_behind) return false;
+    any_off = any_off || is_behind;
   }
   return any_off;
 }

@@ -22,6 +22,7 @@ class NearPlane {
       aslant += normal_[k] != 0 ? 1 : 0;
     }
     is_across_axis_ = aslant == 1;
+    length_ = std::fabs(normal_[0]) + std::fabs(normal_[1]) + std::fabs(normal_[2]);
   }
 
   [[nodiscard]] const std::array<Vec3, 3>& points() const noexcept { return points_; }
@@ -42,7 +43,7 @@ class NearPlane {
   [[nodiscard]] bool is_behind(const Vec3& x, float tolerance) const noexcept {
     if (tolerance == 0) return side(x) < 0;
     Height height = height_of(x);
-    const double allowed = tolerance * (std::fabs(normal_[0]) + std::fabs(normal_[1]) + std::fabs(normal_[2]));
+    const double allowed = tolerance * length_;
     height.value += allowed;
     if (std::fabs(height.value) > margin * (height.magnitude + allowed)) return height.value < 0;
     return height_sign(points_[0], points_[2], points_[1], x, tolerance) > 0;
@@ -68,6 +69,7 @@ class NearPlane {
 
   std::array<Vec3, 3> points_;
   double normal_[3];
+  double length_;  ///< of the normal, as the sum of its components
   bool is_across_axis_;
 };
 

@@ -49,6 +49,7 @@ ConePlane plane_in_lanes(const HullCone::Plane& plane, float tolerance, float co
   ConePlane in_lanes{};
   in_lanes.in_front = std::numeric_limits<float>::infinity();
   in_lanes.behind = std::numeric_limits<float>::infinity();
+  in_lanes.in_plane = std::numeric_limits<float>::infinity();
   const double largest =
       std::max({std::fabs(normal.component[0]), std::fabs(normal.component[1]), std::fabs(normal.component[2])});
   if (largest == 0) return in_lanes;
@@ -66,7 +67,9 @@ ConePlane plane_in_lanes(const HullCone::Plane& plane, float tolerance, float co
   if (!(length * farthest < 0x1p120) || !(error < 0x1p120)) return in_lanes;
   in_lanes.offset = static_cast<float>(offset);
   in_lanes.in_front = static_cast<float>(error);
-  in_lanes.behind = static_cast<float>(error + (plane.face != nullptr ? double{tolerance} * length : 0));
+  const double thickness = plane.face != nullptr ? double{tolerance} * length : 0;
+  in_lanes.behind = static_cast<float>(error + thickness);
+  if (plane.face != nullptr) in_lanes.in_plane = static_cast<float>(error - thickness);
   return in_lanes;
 }
 

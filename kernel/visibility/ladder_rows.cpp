@@ -184,7 +184,11 @@ void Ladder::answer_corners(Level& here, const Side& rows, unsigned row, const S
   form(rows, row, columns, lanes);
   select(here.lists.solids, here.row_solids, here.column_solids, row, lanes, false, here.solids_of_row);
   select(here.lists.polygons, here.row_polygons, here.column_polygons, row, lanes, false, here.polygons_of_row);
-  std::uint64_t occluded = block(here.solids_of_row, here.polygons_of_row, lanes, false);
+  // What hides the boxes around two patches hides the patches. Of hulls and polygons, corners are asked at once.
+  const Selection& solids = here.solids_of_row;
+  const std::size_t hulls = hulls_in(solids.list.data(), solids.count);
+  std::uint64_t occluded = job_.kernels.block(siblings_, job_.solids.data(), solids.list.data() + hulls,
+                                              solids.count - hulls, solids.may.data() + hulls, lanes);
   occluded |= block_corners(rows, row, columns, here.solids_of_row, here.polygons_of_row, lanes & ~occluded);
   decide(rows, row, columns, occluded, Sight::occluded);
   const std::uint64_t left = lanes & ~occluded;

@@ -22,19 +22,27 @@ typename L::Vector height_above(const ConePlane& plane, const float* x, const fl
   return L::subtract(sum, L::all(plane.offset));
 }
 
-/// Lanes behind all planes; highest(plane, lane) are the heights of their highest corners.
-template <class L, class Highest>
+/// The heights of corners above a plane, of each lane.
+template <class L>
+struct Heights {
+  typename L::Vector highest;
+  typename L::Vector lowest;
+};
+
+/// Lanes behind all planes; heights(plane, lane) are those of their corners.
+template <class L, class HeightsOf>
 BehindCone behind_all(const ConePlane* planes, std::size_t number, unsigned count, std::uint64_t asked,
-                      const Highest& highest) noexcept {
+                      const HeightsOf& heights) noexcept {
   BehindCone behind{asked & lanes_up_to<L>(count), 0};
   for (unsigned lane = 0; lane < count; lane += L::width) {
     const std::uint64_t here = behind.possible & lanes_of<L>(lane);
     std::uint64_t possible = here;
     std::uint64_t certain = here;
     for (std::size_t i = 0; i != number && possible != 0; ++i) {
-      const auto height = highest(planes[i], lane);
-      possible &= ~(L::bits(L::less(L::all(planes[i].in_front), height)) << lane);
-      certain &= L::bits(L::less(height, L::all(-planes[i].behind))) << lane;
+      const Heights<L> of = heights(planes[i], lane);
+      possible &= ~(L::bits(L::less(L::all(planes[i].in_front), of.highest)) << lane);
+      possible &= ~(L::bits(L::less(L::all(planes[i].in_plane), of.lowest)) << lane);
+      certain &= L::bits(L::less(of.highest, L::all(-planes[i].behind))) << lane;
     }
     behind.possible &= ~here | possible;
     behind.certain |= certain & possible;
@@ -48,11 +56,14 @@ BehindCone corners_behind_cone(const ConePlane* planes, std::size_t number, cons
                                unsigned corners, unsigned count, std::uint64_t asked) noexcept {
   return behind_all<L>(planes, number, count, asked, [&](const ConePlane& plane, unsigned lane) {
     auto highest = height_above<L>(plane, corner[0], corner[1], corner[2], lane);
+    auto lowest = highest;
     for (unsigned c = 1; c < corners; ++c) {
       const float* const* const at = corner + 3 * c;
-      highest = L::maximum(highest, height_above<L>(plane, at[0], at[1], at[2], lane));
+      const auto height = height_above<L>(plane, at[0], at[1], at[2], lane);
+      highest = L::maximum(highest, height);
+      lowest = L::minimum(lowest, height);
     }
-    return highest;
+    return Heights<L>{highest, lowest};
   });
 }
 
@@ -62,7 +73,9 @@ BehindCone boxes_behind_cone(const ConePlane* planes, std::size_t number, const 
                              std::uint64_t asked) noexcept {
   return behind_all<L>(planes, number, count, asked, [&](const ConePlane& plane, unsigned lane) {
     const auto farthest = [&](unsigned k) { return plane.normal[k] > 0 ? boxes[k + 3] : boxes[k]; };
-    return height_above<L>(plane, farthest(0), farthest(1), farthest(2), lane);
+    const auto nearest = [&](unsigned k) { return plane.normal[k] > 0 ? boxes[k] : boxes[k + 3]; };
+    return Heights<L>{height_above<L>(plane, farthest(0), farthest(1), farthest(2), lane),
+                      height_above<L>(plane, nearest(0), nearest(1), nearest(2), lane)};
   });
 }
 

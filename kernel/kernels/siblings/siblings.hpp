@@ -84,12 +84,14 @@ struct PlaneRow {
 
 /// A plane behind which what a solid hides from one end lies. A point whose computed normal·p − offset is above
 /// `in_front` is in front of it, and one with a value below −`behind` is behind it: for a face of a hull, by more than
-/// the tolerance. Both are infinite where floats overflow.
+/// the tolerance. A patch all of whose corners have values above `in_plane` is not. All are infinite where floats
+/// overflow.
 struct ConePlane {
   float normal[3];
   float offset;
   float in_front;
   float behind;
+  float in_plane;
 };
 
 /// Lanes behind all planes of a cone: those that may be, and those among them that are for certain.
