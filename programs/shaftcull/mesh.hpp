@@ -34,8 +34,8 @@ struct MeshPart {
 /// An object is a node of the file's hierarchy that has meshes, placed in world space. It has the name of its node, or
 /// that of its mesh if the node has none, or that of the nearest node above that has one. In a file with a single such
 /// node, each of its meshes is an object. An object by material is all that has it. Nameless objects are called
-/// "object 1", …; a name that comes again gets a suffix, "wheel #2". Triangles include points, lines and parts of larger
-/// faces.
+/// "object 1", …; a name that comes again gets a suffix, "wheel #2". Triangles include points, lines and parts of
+/// larger faces.
 struct MeshScene {
   std::vector<std::string> names;       ///< one for each object, all different
   std::vector<Box> boxes;               ///< one for each object
