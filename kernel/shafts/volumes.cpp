@@ -229,7 +229,7 @@ void form(const kernel::Kernels& kernels, const Movement& movement, ShaftData& s
 
 void require_vector(const Vec3& vector, const char* name) {
   const auto is_finite = [](float x) { return std::fabs(x) <= largest_float; };
-  if (!(is_finite(vector[0]) & is_finite(vector[1]) & is_finite(vector[2]))) [[unlikely]]
+  if (!(is_finite(vector[0]) && is_finite(vector[1]) && is_finite(vector[2]))) [[unlikely]]
     refuse_vector(vector, name);
 }
 
