@@ -113,7 +113,7 @@ struct DisplacedFaces {
       nearest[f] = sum;
     }
     bool finite = true;
-    for (unsigned f = 0; f < 8; ++f) finite &= std::fabs(nearest[f]) <= std::numeric_limits<float>::max();
+    for (const float face : nearest) finite &= std::fabs(face) <= std::numeric_limits<float>::max();
     are_finite = finite;
     for (unsigned f = 0; f < 8; ++f) {
       const auto bits = std::bit_cast<std::int32_t>(nearest[f]);
