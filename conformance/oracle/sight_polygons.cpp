@@ -105,9 +105,9 @@ SightScene with_corners(SightScene scene, std::uint64_t seed, PolygonMix mix) {
     std::vector<Box> around;
     const bool has_sides = mix == PolygonMix::sides_beside;
     const float plane = has_sides ? boxes[random.below(static_cast<unsigned>(boxes.size()))].lo[0] : 0;
-    for (std::size_t i = 0; i != boxes.size(); ++i) {
-      const bool is_side = has_sides && (boxes[i].lo[0] > plane || random.one_in(2));
-      polygons.push_back(is_side ? painter.side_of(boxes[i]) : painter.polygon());
+    for (const Box& patch : boxes) {
+      const bool is_side = has_sides && (patch.lo[0] > plane || random.one_in(2));
+      polygons.push_back(is_side ? painter.side_of(patch) : painter.polygon());
       Box box{polygons.back().front(), polygons.back().front()};
       for (const Vec3& corner : polygons.back()) {
         for (std::size_t k = 0; k != 3; ++k) {
