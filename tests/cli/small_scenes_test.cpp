@@ -103,7 +103,7 @@ class CliSmallScenes : public testing::TestWithParam<SmallScene> {
   /// The path of a scene, made where it is not one of the files.
   [[nodiscard]] std::string file_of(const std::string& scene) const {
     const std::vector<std::string> words = split(scene, ' ');
-    const std::string path = scenes_folder + '/' + words.at(0);
+    std::string path = scenes_folder + '/' + words.at(0);
     if (words.size() == 1 && words[0] != "city") return path;
     const std::string obj = words[0] == "city" ? city() : bytes_of_file(path);
     return folder_.write(words[0] + ".made.obj", words.size() == 1 ? obj : turned(obj, std::stod(words.at(2))));
