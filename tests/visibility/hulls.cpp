@@ -51,9 +51,10 @@ Box box_around(const std::vector<Vec3>& points) {
 
 TEST(HullMesh, OfACubeWithPointsInItsFacesAndEdgesHasSixFacesAndTwelveEdges) {
   std::vector<Vec3> points;
-  for (float x = 0; x != 3; ++x) {
-    for (float y = 0; y != 3; ++y) {
-      for (float z = 0; z != 3; ++z) points.push_back({x, y, z});
+  constexpr std::array<float, 3> steps{0, 1, 2};
+  for (const float x : steps) {
+    for (const float y : steps) {
+      for (const float z : steps) points.push_back({x, y, z});
     }
   }
   std::uint64_t state = 1;
@@ -190,12 +191,12 @@ TEST(HullCone, HidesWhatTheOracleSays) {
 /// Squares in a plane across the x axis, which face along it, turned about the z axis.
 std::vector<Vec3> wall(float x, bool faces_up, double angle) {
   std::vector<Vec3> corners;
-  for (float y = -4; y != 4; ++y) {
-    for (float z = 0; z != 4; ++z) {
+  for (int y = -4; y != 4; ++y) {
+    for (int z = 0; z != 4; ++z) {
       const std::array<unsigned, 4> order = faces_up ? std::array{0U, 1U, 3U, 2U} : std::array{0U, 2U, 3U, 1U};
       for (const unsigned c : order) {
-        const double along = y + static_cast<float>(c & 1U);
-        const double height = z + static_cast<float>(c >> 1U);
+        const double along = y + static_cast<double>(c & 1U);
+        const double height = z + static_cast<double>(c >> 1U);
         corners.push_back({static_cast<float>(x * std::cos(angle) - along * std::sin(angle)),
                            static_cast<float>(x * std::sin(angle) + along * std::cos(angle)),
                            static_cast<float>(height)});
