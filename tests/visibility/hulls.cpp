@@ -19,6 +19,7 @@
 #include "oracle/random.hpp"
 #include "oracle/sight.hpp"
 #include "sanitizers.hpp"
+#include "shaftcull/geometry.hpp"
 #include "shaftcull/visibility.hpp"
 
 namespace shaftcull {
@@ -36,17 +37,6 @@ std::vector<Vec3> corners_of(const Box& box) {
     corners.push_back(corner);
   }
   return corners;
-}
-
-Box box_around(const std::vector<Vec3>& points) {
-  Box box{points[0], points[0]};
-  for (const Vec3& point : points) {
-    for (std::size_t k = 0; k != 3; ++k) {
-      box.lo[k] = std::min(box.lo[k], point[k]);
-      box.hi[k] = std::max(box.hi[k], point[k]);
-    }
-  }
-  return box;
 }
 
 TEST(HullMesh, OfACubeWithPointsInItsFacesAndEdgesHasSixFacesAndTwelveEdges) {
