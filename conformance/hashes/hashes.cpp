@@ -34,7 +34,7 @@ constexpr Family all[] = {
     {"trees of triangles", "tree order, and lists of triangles", one_or_many, triangle_trees, 2, 21,
      0x41f602232f89e84bU, 0xea386fa648ca31efU},
     {"sights", "what sees what: every answer, and candidates of undecided pairs", one_way, sights, 10, 421,
-     0x67f1d5f92f67101dU, 0x8b3b7fd946553f8aU},
+     0xb997649073f49f5eU, 0x3c5718ef23b17ab6U},
     {"facet sights", "the same of polygons, with and without a tolerance", one_way, facet_sights, 20, 2500,
      0x4e7f52924801e58dU, 0x9a1cce2b82953378U},
     {"solids", "boxes that are joined, and boxes inside hulls", one_way, solids, 100, 24391, 0xb60212bc1b5d9965U,

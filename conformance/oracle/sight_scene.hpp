@@ -137,7 +137,8 @@ inline oracle::SightQuestion question_of(const SightScene& scene, const Occluder
   question.solids = scene.solids;
   for_each_part(scene.hull_corners, scene.first_hull, [&](const std::vector<Vec3>& hull) {
     question.occluders.push_back({around(hull), hull});
-    question.solids.push_back(inscribed_box(hull));
+    const Box inside = inscribed_box(hull);
+    if (scene.solids_around_ends || inside == around(hull)) question.solids.push_back(inside);
     question.hulls.push_back(hull);
   });
   // Each alone, and what they are together.

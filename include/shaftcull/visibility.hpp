@@ -256,9 +256,8 @@ struct VisibilityOptions {
   /// Whether a solid may make a pair `occluded` although a patch of the pair reaches into it. Rays that start inside a
   /// solid do not meet its front. Set it to false where answers must agree with rays. A patch reaches into a solid box
   /// if the box around the patch does (for a flat solid: touches it). It reaches into a solid hull unless all corners
-  /// of the patch lie on or in front of one face of the hull. A box that was found inside a hull or another body is a
-  /// solid of its own: it may hide two patches that both reach into the body and not into the box. Rays between such
-  /// patches meet no surface.
+  /// of the patch lie on or in front of one face of the hull. Boxes that were found inside hulls and other bodies then
+  /// hide nothing: they have no surface that rays meet.
   bool solids_around_ends = true;
   /// How far in front of a plane a point may be and still count as behind it, because coordinates are rounded: it does
   /// if moving each of its coordinates by `tolerance` or less brings it there. In the units of the scene; finite, 0 or

@@ -45,6 +45,7 @@ class Addition {
         triangles_(data.triangles.size()),
         parts_(data.parts.size()),
         solids_(data.solids.size()),
+        inner_boxes_(data.inner_boxes.size()),
         hulls_(data.hulls.size()),
         polygons_(data.polygons.size()),
         polygon_corners_(data.polygon_corners.size()),
@@ -62,6 +63,7 @@ class Addition {
     shorten(data_.parts, parts_);
     shorten(data_.part_vertices, parts_);
     shorten(data_.solids, solids_);
+    shorten(data_.inner_boxes, inner_boxes_);
     shorten(data_.hulls, hulls_);
     shorten(data_.hull_boxes, hulls_);
     shorten(data_.polygons, polygons_);
@@ -108,11 +110,16 @@ class Addition {
     note(solid);
     data_.solids.push_back(solid);
   }
+  /// A box inside a solid that has other faces, likewise.
+  void add_inner_box(const Box& box) {
+    note(box);
+    data_.inner_boxes.push_back(box);
+  }
   /// A solid hull, likewise, and the box inside it: this may be a part of a larger box, and hides whole groups quickly.
   void add_solid_hull(const Box& around, std::span<const Vec3> corners) {
     const Box inside = inscribed_box(kernel::spread_points(corners, ConvexHull::max_vertices));
-    add_solid(inside);
-    if (inside == around) return;
+    if (inside == around) return add_solid(inside);
+    add_inner_box(inside);
     kernel::HullMesh mesh(corners);
     if (!mesh.has_interior()) return;
     data_.hulls.push_back(std::move(mesh));
@@ -122,7 +129,10 @@ class Addition {
   /// Returns the number of the first one that was added.
   std::size_t keep() noexcept {
     is_kept_ = true;
-    if (data_.solids.size() != solids_ || data_.hulls.size() != hulls_) data_.solid_rows.forget();
+    const bool has_hulls = data_.hulls.size() != hulls_;
+    const bool has_solids = has_hulls || data_.solids.size() != solids_;
+    if (has_solids) data_.surface_rows.forget();
+    if (has_solids || data_.inner_boxes.size() != inner_boxes_) data_.solid_rows.forget();
     if (data_.size() != size_) data_.clumps.forget();
     if (data_.polygons.size() != polygons_) data_.polygon_clumps.forget();
     return size_;
@@ -149,6 +159,7 @@ class Addition {
   std::size_t triangles_;
   std::size_t parts_;
   std::size_t solids_;
+  std::size_t inner_boxes_;
   std::size_t hulls_;
   std::size_t polygons_;
   std::size_t polygon_corners_;
@@ -206,9 +217,17 @@ void put_extremes_first(std::vector<Vec3>& vertices) {
 
 }  // namespace
 
-kernel::MadeOnce<kernel::SolidRows>::Shared kernel::solid_rows_of(const OccluderData& occluders) {
-  return occluders.solid_rows.of(
-      [&] { return in_float_environment([&] { return made_solid_rows(occluders.solids, occluders.hull_boxes); }); });
+kernel::MadeOnce<kernel::SolidRows>::Shared kernel::solid_rows_of(const OccluderData& occluders,
+                                                                  bool solids_around_ends) {
+  if (!solids_around_ends) {
+    return occluders.surface_rows.of(
+        [&] { return in_float_environment([&] { return surface_rows(occluders.solids, occluders.hull_boxes); }); });
+  }
+  return occluders.solid_rows.of([&] {
+    std::vector<Box> boxes = occluders.solids;
+    boxes.insert(boxes.end(), occluders.inner_boxes.begin(), occluders.inner_boxes.end());
+    return in_float_environment([&] { return solid_rows(boxes, occluders.hull_boxes); });
+  });
 }
 
 kernel::MadeOnce<kernel::BoxClumps>::Shared kernel::clumps_of(const OccluderData& occluders) {
@@ -300,7 +319,7 @@ void Occluders::add_found(const FoundSolids& found) {
               [&](const Box& box, std::span<const Vec3> hull) { addition.add_solid_hull(box, hull); });
     add_parts(found.polygon_corners, found.first_polygon_corner, "polygon", 3, kernel::any_number,
               [&](const Box& box, std::span<const Vec3> polygon) { addition.add_polygon(box, polygon); });
-    for (const Box& box : usable_boxes(found.inner_boxes, "box")) addition.add_solid(box);
+    for (const Box& box : usable_boxes(found.inner_boxes, "box")) addition.add_inner_box(box);
     addition.keep();
   });
 }

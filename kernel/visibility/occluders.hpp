@@ -72,8 +72,10 @@ struct OccluderData {
 
   // Blockers, numbered apart: what was found in triangles is no occluder itself.
 
-  /// Boxes that are solid, as they were given or found in hulls.
+  /// Boxes that are solid: those given, and hulls that are boxes.
   std::vector<Box> solids;
+  /// Boxes inside other solids, whose faces are no surfaces of anything.
+  std::vector<Box> inner_boxes;
   /// Solid hulls that are no boxes, and the box around each.
   std::vector<HullMesh> hulls;
   std::vector<BoxRow> hull_boxes;
@@ -86,6 +88,7 @@ struct OccluderData {
 
   /// Made of the above.
   MadeOnce<SolidRows> solid_rows;
+  MadeOnce<SolidRows> surface_rows;
   MadeOnce<BoxClumps> clumps;
   MadeOnce<BoxClumps> polygon_clumps;
 
@@ -99,8 +102,8 @@ struct OccluderData {
   }
 };
 
-/// The solids, alone and together. Threads may ask at the same time.
-[[nodiscard]] MadeOnce<SolidRows>::Shared solid_rows_of(const OccluderData& occluders);
+/// The solids, alone and together, for calls with this option (VisibilityOptions). Threads may ask at the same time.
+[[nodiscard]] MadeOnce<SolidRows>::Shared solid_rows_of(const OccluderData& occluders, bool solids_around_ends);
 /// Clumps of `occluders.boxes`, likewise.
 [[nodiscard]] MadeOnce<BoxClumps>::Shared clumps_of(const OccluderData& occluders);
 /// Clumps of `occluders.polygons`, likewise.

@@ -39,7 +39,7 @@ class Run {
   Run(const PatchTree& a, const PatchTree& b, bool is_of_one_set, const OccluderData& occluders,
       const VisibilityOptions& options, const Deliver* deliver)
       : deliver_(deliver),
-        solids_(solid_rows_of(occluders)),
+        solids_(solid_rows_of(occluders, options.solids_around_ends)),
         clumps_(clumps_of(occluders)),
         polygon_clumps_(polygon_clumps_of(occluders)),
         turned_occluders_(turned_boxes(a, b, occluders)),
@@ -47,7 +47,7 @@ class Run {
              sight_set(b, options.tolerance, largest_coordinate(a, b, occluders)),
              is_of_one_set,
              occluders,
-             std::span(solids_->rows).first(options.solids_around_ends ? solids_->largest : solids_->rows.size()),
+             solids_->rows,
              *clumps_,
              *polygon_clumps_,
              solids_->clumps,

@@ -13,17 +13,19 @@
 namespace shaftcull::kernel {
 
 /// First the boxes around solid hulls, in the order of the hulls: a hull may hide only what the box around it hides.
-/// Then boxes that make pairs occluded: solids, and what they are together.
+/// Then boxes that make pairs occluded.
 struct SolidRows {
   std::vector<BoxRow> rows;
   std::size_t hulls = 0;
-  /// So many rows, the first ones, block what all do. If solids that hold a part of an end are to block nothing, the
-  /// others are asked as well: the larger box around one may hold an end that the smaller one does not.
-  std::size_t largest = 0;
   BoxClumps clumps;  ///< of all rows
 };
 
-/// In modes in which denormals are what they are.
-[[nodiscard]] SolidRows made_solid_rows(std::span<const Box> solids, std::span<const BoxRow> hull_boxes);
+// Both in modes in which denormals are what they are.
+
+/// The larger boxes that boxes form together, and those of the boxes that block a pair that no larger one does.
+[[nodiscard]] SolidRows solid_rows(std::span<const Box> boxes, std::span<const BoxRow> hull_boxes);
+/// For solids that block nothing if they hold a part of an end: the larger boxes, and all of the boxes, since the
+/// larger one may hold an end that the smaller one does not.
+[[nodiscard]] SolidRows surface_rows(std::span<const Box> boxes, std::span<const BoxRow> hull_boxes);
 
 }  // namespace shaftcull::kernel

@@ -280,5 +280,40 @@ TEST(SolidHulls, HideNoPatchOfTheirOwnSurfaceFromWhatItSees) {
   });
 }
 
+TEST(VisibilityHulls, BoxesInsideBodiesHideNothingWhereAnswersAgreeWithRays) {
+  // Each body reaches around both patches, and a box inside it lies between them.
+  const PatchSet left(std::vector<Box>{{{-3, -0.0625F, -0.0625F}, {-2.5F, 0.0625F, 0.0625F}}});
+  const PatchSet right(std::vector<Box>{{{2.5F, -0.0625F, -0.0625F}, {3, 0.0625F, 0.0625F}}});
+  const std::vector<Vec3> octahedron{{-4, 0, 0}, {4, 0, 0}, {0, -4, 0}, {0, 4, 0}, {0, 0, -4}, {0, 0, 4}};
+  const std::vector<std::size_t> whole{0, octahedron.size()};
+  Occluders given;
+  given.add_solid_hulls(octahedron, whole);
+  FoundSolids hull;
+  hull.hull_corners = octahedron;
+  hull.first_hull_corner = whole;
+  Occluders found_hull;
+  found_hull.add_found(hull);
+  FoundSolids boxes;
+  boxes.inner_boxes = {{{-1, -1, -1}, {1, 1, 1}}};
+  Occluders found_box;
+  found_box.add_found(boxes);
+  // As much of it as a solid box that is there hides.
+  Occluders joined = found_box;
+  joined.add_solids(std::vector<Box>{{{-1, 1, -1}, {1, 2, 1}}});
+  VisibilityOptions with_rays;
+  with_rays.solids_around_ends = false;
+  on_each_instruction_set([&] {
+    for (const Occluders* occluders : {&given, &found_hull, &found_box, &joined}) {
+      EXPECT_EQ(count_visibility(left, right, *occluders).occluded, 1U);
+      EXPECT_EQ(count_visibility(left, right, *occluders, with_rays).occluded, 0U);
+      EXPECT_EQ(count_visibility(left, right, *occluders).occluded, 1U);
+    }
+    joined.add_solids(std::vector<Box>{{{-1, -1, -1}, {1, 1, 1}}});
+    EXPECT_EQ(count_visibility(left, right, joined, with_rays).occluded, 1U);
+    joined = found_box;
+    joined.add_solids(std::vector<Box>{{{-1, 1, -1}, {1, 2, 1}}});
+  });
+}
+
 }  // namespace
 }  // namespace shaftcull
