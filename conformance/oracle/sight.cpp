@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "oracle/sight.hpp"
 
-#include <gmpxx.h>
-
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <utility>
 
+#include "oracle/sight_integers.hpp"
 #include "oracle/sight_numbers.hpp"
+#include "oracle/sight_segments.hpp"
 
 namespace shaftcull::oracle {
 
@@ -27,97 +25,6 @@ class SightOracle::Questions {
 };
 
 namespace {
-
-__extension__ using Wide = __int128;
-
-/// x times 2^doublings, which is an integer.
-template <class Number>
-Number scaled(float x, int doublings) {
-  const double integer = std::ldexp(double{x}, doublings);
-  if constexpr (std::is_same_v<Number, mpz_class>) {
-    return mpz_class(integer);
-  } else {
-    return static_cast<Wide>(integer);
-  }
-}
-
-/// The binary digits that floats have.
-struct Digits {
-  int first = std::numeric_limits<int>::max();  ///< the lowest one that is set, 0 being that of 1
-  int end = std::numeric_limits<int>::min();    ///< one above the highest
-
-  void add(float x) {
-    if (x == 0) return;
-    int exponent = 0;
-    auto mantissa = static_cast<std::uint32_t>(std::ldexp(std::fabs(std::frexp(x, &exponent)), 24));
-    end = std::max(end, exponent);
-    int lowest = exponent - 24;
-    for (; mantissa % 2 == 0; mantissa /= 2) ++lowest;
-    first = std::min(first, lowest);
-  }
-  void add(const Vec3& point) {
-    for (const float x : point) add(x);
-  }
-  void add(const Box& box) {
-    add(box.lo);
-    add(box.hi);
-  }
-  void add(const Plane& plane) {
-    add(plane.normal);
-    add(plane.offset);
-  }
-};
-
-Digits digits_of(const SightQuestion& question) {
-  Digits digits;
-  if (!question.a_planes.empty() || !question.b_planes.empty()) digits.add(1.0F);
-  for (const auto* boxes : {&question.a, &question.b, &question.solids}) {
-    for (const Box& box : *boxes) digits.add(box);
-  }
-  for (const auto* planes : {&question.a_planes, &question.b_planes}) {
-    for (const Plane& plane : *planes) digits.add(plane);
-  }
-  for (const auto* patches : {&question.a_corners, &question.b_corners}) {
-    for (const std::vector<Vec3>& corners : *patches) {
-      for (const Vec3& corner : corners) digits.add(corner);
-    }
-  }
-  digits.add(question.tolerance);
-  for (const SightOccluder& occluder : question.occluders) {
-    digits.add(occluder.box);
-    for (const Vec3& corner : occluder.corners) digits.add(corner);
-  }
-  for (const auto* shapes : {&question.polygons, &question.hulls}) {
-    for (const std::vector<Vec3>& corners : *shapes) {
-      for (const Vec3& corner : corners) digits.add(corner);
-    }
-  }
-  if (digits.first > digits.end) digits.add(1.0F);  // every number is 0
-  return digits;
-}
-
-template <class Number>
-struct BoxOf {
-  PointOf<Number> lo;
-  PointOf<Number> hi;
-
-  [[nodiscard]] bool is_flat(std::size_t k) const { return lo[k] == hi[k]; }
-  [[nodiscard]] PointOf<Number> corner(unsigned c) const {
-    PointOf<Number> point;
-    for (unsigned k = 0; k != 3; ++k) point[k] = (c >> k & 1U) != 0 ? hi[k] : lo[k];
-    return point;
-  }
-  /// All corners, each once.
-  [[nodiscard]] std::vector<PointOf<Number>> corners() const {
-    std::vector<PointOf<Number>> corners;
-    for (unsigned c = 0; c != 8; ++c) {
-      bool is_new = true;
-      for (unsigned k = 0; k != 3; ++k) is_new = is_new && ((c >> k & 1U) == 0 || !is_flat(k));
-      if (is_new) corners.push_back(corner(c));
-    }
-    return corners;
-  }
-};
 
 template <class Number>
 class Answers final : public SightOracle::Questions {
@@ -403,103 +310,6 @@ class Answers final : public SightOracle::Questions {
       }
     }
     return true;
-  }
-
-  /// A corner moved by n ε of its way to the middle of all n corners: into the relative interior of their hull.
-  [[nodiscard]] static PointOf<Infinitesimal<Number>> inner(const Point& corner, const std::vector<Point>& corners) {
-    const auto coordinate = [&](std::size_t k) {
-      Number way = 0;
-      for (const Point& other : corners) way += other[k] - corner[k];
-      return Infinitesimal<Number>(corner[k], way);
-    };
-    return {coordinate(0), coordinate(1), coordinate(2)};
-  }
-
-  /// Whether all segments between the relative interiors of two hulls pass. These are the unions of the hulls shrunk
-  /// towards their middles, by however little, and of a shrunk hull the corners decide. If `is_open`, points near those
-  /// of a segment that passes have segments that pass, and points near those of a segment that `misses` have segments
-  /// that do not pass, so most corners need not be moved.
-  template <class Misses, class Passes>
-  [[nodiscard]] static bool all_segments(const std::vector<Point>& a, const std::vector<Point>& b, bool is_open,
-                                         const Misses& misses, const Passes& passes) {
-    return std::all_of(a.begin(), a.end(), [&](const Point& p) {
-      return std::all_of(b.begin(), b.end(), [&](const Point& q) {
-        return !misses(p, q) && ((is_open && passes(p, q)) || passes(inner(p, a), inner(q, b)));
-      });
-    });
-  }
-
-  /// Whether segment and box meet; if `is_open`, their relative interiors.
-  template <class Coordinate>
-  [[nodiscard]] static bool passes_box(const PointOf<Coordinate>& p, const PointOf<Coordinate>& q, const AnyBox& box,
-                                       bool is_open) {
-    Times<Coordinate> times(is_open);
-    for (std::size_t k = 0; k != 3; ++k) {
-      const Coordinate way = q[k] - p[k];
-      if (box.is_flat(k)) {
-        times.require_zero(p[k] - box.lo[k], way);
-      } else {
-        times.require(p[k] - box.lo[k], way);
-        times.require(box.hi[k] - p[k], -way);
-      }
-    }
-    return times.are_there();
-  }
-
-  [[nodiscard]] static Number dot(const Point& p, const Point& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
-  template <class Coordinate>
-  [[nodiscard]] static PointOf<Coordinate> minus(const PointOf<Coordinate>& p, const PointOf<Coordinate>& q) {
-    return {Coordinate(p[0] - q[0]), Coordinate(p[1] - q[1]), Coordinate(p[2] - q[2])};
-  }
-  template <class Coordinate>
-  [[nodiscard]] static Coordinate determinant(const PointOf<Coordinate>& p, const PointOf<Coordinate>& q,
-                                              const PointOf<Coordinate>& r) {
-    return p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) + p[2] * (q[0] * r[1] - q[1] * r[0]);
-  }
-  template <class Coordinate>
-  [[nodiscard]] static PointOf<Coordinate> as(const Point& p) {
-    return {Coordinate(p[0]), Coordinate(p[1]), Coordinate(p[2])};
-  }
-
-  /// Whether all segments go from one side of a polygon to the other strictly within its edges.
-  [[nodiscard]] static bool polygon_blocks(const std::vector<Point>& a, const std::vector<Point>& b,
-                                           const std::vector<Point>& polygon) {
-    // All corners are in one plane: three that are not in line span it.
-    std::size_t third = 0;
-    std::size_t second = 0;
-    for (std::size_t i = 1; i != polygon.size() && third == 0; ++i) {
-      for (std::size_t j = i + 1; j < polygon.size() && third == 0; ++j) {
-        const Point u = minus(polygon[i], polygon[0]);
-        const Point v = minus(polygon[j], polygon[0]);
-        if (u[1] * v[2] == u[2] * v[1] && u[2] * v[0] == u[0] * v[2] && u[0] * v[1] == u[1] * v[0]) continue;
-        second = i;
-        third = j;
-      }
-    }
-    if (third == 0) return false;
-    const auto side = [&](const auto& r) {
-      using Coordinate = typename std::decay_t<decltype(r)>::value_type;
-      const auto corner = [&](std::size_t i) { return as<Coordinate>(polygon[i]); };
-      return sign<Coordinate>(
-          determinant(minus(corner(second), corner(0)), minus(corner(third), corner(0)), minus(r, corner(0))));
-    };
-    const auto misses = [&](const Point& p, const Point& q) { return side(p) * side(q) == 1; };
-    return all_segments(a, b, true, misses, [&](const auto& p, const auto& q) {
-      using Coordinate = typename std::decay_t<decltype(p)>::value_type;
-      const auto corner = [&](std::size_t i) { return as<Coordinate>(polygon[i % polygon.size()]); };
-      if (side(p) * side(q) != -1) return false;
-      // The line passes all edges on the same side.
-      int all = 0;
-      for (std::size_t i = 0; i != polygon.size(); ++i) {
-        const PointOf<Coordinate> from = corner(i);
-        const PointOf<Coordinate> to = corner(i + 1);
-        if (from == to) continue;
-        const int one = sign<Coordinate>(determinant(minus(from, p), minus(to, p), minus(q, p)));
-        if (one == 0 || (all != 0 && one != all)) return false;
-        all = one;
-      }
-      return true;
-    });
   }
 
   /// Whether all segments pass through the interior of a hull. Of each face, one of the ends must be behind it, and not

@@ -37,6 +37,7 @@ class SightPainter {
     make_hulls();
     make_polygons();
     make_triangles();
+    make_found();
     return std::move(scene_);
   }
 
@@ -243,41 +244,43 @@ class SightPainter {
     }
   }
 
+  void add_hull(std::vector<Vec3>& corners, std::vector<std::size_t>& first) {
+    if (random_.one_in(2)) {
+      for (unsigned left = 4 + random_.below(6); left != 0; --left) corners.push_back(point());
+    } else {  // a box
+      const Box whole = box(reach_);
+      for (unsigned c = 0; c != 8; ++c) {
+        Vec3 corner{};
+        for (unsigned k = 0; k != 3; ++k) corner[k] = (c >> k & 1U) != 0 ? whole.hi[k] : whole.lo[k];
+        corners.push_back(corner);
+      }
+    }
+    first.push_back(corners.size());
+  }
   void make_hulls() {
     if (is(SightScenery::wild) || is(SightScenery::huge)) return;  // boxes inside these have tests of their own
-    for (unsigned left = random_.below(3); left != 0; --left) {
-      if (random_.one_in(2)) {
-        for (unsigned corners = 4 + random_.below(6); corners != 0; --corners) scene_.hull_corners.push_back(point());
-      } else {  // a box
-        const Box whole = box(reach_);
-        for (unsigned c = 0; c != 8; ++c) {
-          Vec3 corner{};
-          for (unsigned k = 0; k != 3; ++k) corner[k] = (c >> k & 1U) != 0 ? whole.hi[k] : whole.lo[k];
-          scene_.hull_corners.push_back(corner);
-        }
-      }
-      scene_.first_hull.push_back(scene_.hull_corners.size());
-    }
+    for (unsigned left = random_.below(3); left != 0; --left) add_hull(scene_.hull_corners, scene_.first_hull);
   }
 
-  void make_polygons() {
-    for (unsigned left = random_.below(3); left != 0; --left) {
-      const unsigned kind = random_.below(3);
-      if (kind == 0) {  // a triangle
-        for (unsigned i = 0; i != 3; ++i) scene_.polygon_corners.push_back(point());
-      } else {  // a rectangle across an axis
-        const std::size_t axis = random_.below(3);
-        const Box whole = box(2 * reach_);
-        for (const unsigned c : {0U, 1U, 3U, 2U}) {
-          Vec3 corner = whole.lo;
-          if ((c & 1U) != 0) corner[(axis + 1) % 3] = whole.hi[(axis + 1) % 3];
-          if ((c & 2U) != 0) corner[(axis + 2) % 3] = whole.hi[(axis + 2) % 3];
-          scene_.polygon_corners.push_back(corner);
-          if (kind == 2 && random_.one_in(4)) scene_.polygon_corners.push_back(corner);
-        }
+  void add_polygon(std::vector<Vec3>& corners, std::vector<std::size_t>& first) {
+    const unsigned kind = random_.below(3);
+    if (kind == 0) {  // a triangle
+      for (unsigned i = 0; i != 3; ++i) corners.push_back(point());
+    } else {  // a rectangle across an axis
+      const std::size_t axis = random_.below(3);
+      const Box whole = box(2 * reach_);
+      for (const unsigned c : {0U, 1U, 3U, 2U}) {
+        Vec3 corner = whole.lo;
+        if ((c & 1U) != 0) corner[(axis + 1) % 3] = whole.hi[(axis + 1) % 3];
+        if ((c & 2U) != 0) corner[(axis + 2) % 3] = whole.hi[(axis + 2) % 3];
+        corners.push_back(corner);
+        if (kind == 2 && random_.one_in(4)) corners.push_back(corner);
       }
-      scene_.first_polygon.push_back(scene_.polygon_corners.size());
     }
+    first.push_back(corners.size());
+  }
+  void make_polygons() {
+    for (unsigned left = random_.below(3); left != 0; --left) add_polygon(scene_.polygon_corners, scene_.first_polygon);
   }
 
   void make_triangles() {
@@ -292,6 +295,24 @@ class SightPainter {
     while (scene_.first_triangle.back() != count) {
       const std::size_t size = 1 + random_.below(std::max(count / 4, 1U));
       scene_.first_triangle.push_back(std::min<std::size_t>(count, scene_.first_triangle.back() + size));
+    }
+  }
+
+  void make_found() {
+    if (random_.one_in(2)) return;
+    const bool has_hulls = !is(SightScenery::wild) && !is(SightScenery::huge);
+    if (has_hulls && random_.one_in(2)) add_hull(scene_.found.hull_corners, scene_.found.first_hull_corner);
+    if (random_.one_in(2)) add_polygon(scene_.found.polygon_corners, scene_.found.first_polygon_corner);
+    for (unsigned left = random_.below(3); left != 0; --left) {
+      Box inside = box(2 * reach_);
+      if (!scene_.solids.empty() && random_.one_in(2)) {  // one that is joined with a solid
+        inside = scene_.solids[random_.below(static_cast<unsigned>(scene_.solids.size()))];
+        const std::size_t axis = random_.below(3);
+        const float depth = inside.hi[axis] - inside.lo[axis];
+        inside.lo[axis] = inside.hi[axis];
+        inside.hi[axis] = std::min(largest, inside.hi[axis] + depth);
+      }
+      scene_.found.inner_boxes.push_back(inside);
     }
   }
 

@@ -55,6 +55,7 @@ struct SightScene {
   std::vector<std::size_t> first_polygon{0};
   std::vector<Triangle> triangles;
   std::vector<std::size_t> first_triangle;  ///< none if the library makes the groups
+  FoundSolids found{};                      ///< blockers that are no occluders
   Contact contact = Contact::open;
   bool solids_around_ends = true;
   float tolerance = 0;
@@ -99,6 +100,7 @@ inline Occluders occluders_of(const SightScene& scene) {
   occluders.add_polygons(scene.polygon_corners, scene.first_polygon);
   const TriangleStream triangles{std::span<const Triangle>(scene.triangles)};
   occluders.add_triangles(triangles.view(), scene.first_triangle);
+  occluders.add_found(scene.found);
   return occluders;
 }
 
@@ -135,12 +137,19 @@ inline oracle::SightQuestion question_of(const SightScene& scene, const Occluder
     }
   };
   question.solids = scene.solids;
-  for_each_part(scene.hull_corners, scene.first_hull, [&](const std::vector<Vec3>& hull) {
-    question.occluders.push_back({around(hull), hull});
+  const auto add_hull = [&](const std::vector<Vec3>& hull) {
     const Box inside = inscribed_box(hull);
     if (scene.solids_around_ends || inside == around(hull)) question.solids.push_back(inside);
     question.hulls.push_back(hull);
+  };
+  for_each_part(scene.hull_corners, scene.first_hull, [&](const std::vector<Vec3>& hull) {
+    question.occluders.push_back({around(hull), hull});
+    add_hull(hull);
   });
+  for_each_part(scene.found.hull_corners, scene.found.first_hull_corner, add_hull);
+  if (scene.solids_around_ends) {
+    question.solids.insert(question.solids.end(), scene.found.inner_boxes.begin(), scene.found.inner_boxes.end());
+  }
   // Each alone, and what they are together.
   const std::vector<Box> together = merged_boxes(question.solids);
   question.solids.insert(question.solids.end(), together.begin(), together.end());
@@ -148,6 +157,8 @@ inline oracle::SightQuestion question_of(const SightScene& scene, const Occluder
     question.occluders.push_back({around(polygon), polygon});
     question.polygons.push_back(polygon);
   });
+  for_each_part(scene.found.polygon_corners, scene.found.first_polygon_corner,
+                [&](const std::vector<Vec3>& polygon) { question.polygons.push_back(polygon); });
   for (std::size_t i = question.occluders.size(); i != occluders.size(); ++i) {
     std::vector<Vec3> vertices;
     std::vector<std::array<Vec3, 3>> looked_at;
