@@ -13,9 +13,7 @@ namespace {
 /// coordinates. These and their differences are multiples of 2⁻¹⁴⁹ below 2¹²⁹, so coefficients that are not 0 are in
 /// proportion 2^(278 · degree) at most, but for the number of terms, which is below 2⁵⁰.
 mpq_class tiny(unsigned degree) {
-  mpq_class result(1);
-  mpq_div_2exp(result.get_mpq_t(), result.get_mpq_t(), 278 * degree + 50);
-  return result;
+  return mpq_class(mpz_class(1), mpz_class(mpz_class(1) << (278 * degree + 50)));
 }
 
 /// A segment passes a box by comparisons of quotients, and a polygon by (q − p) × (r − p) · n, where r is linear in the
