@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "shaftcull/error.hpp"
+#include "shaftcull/geometry.hpp"
 #include "shaftcull/solids.hpp"
 #include "shaftcull/triangles.hpp"
 #include "solids/bodies.hpp"
@@ -26,17 +27,6 @@ namespace {
 
 /// Most boxes that are kept of one part, the largest ones.
 constexpr std::size_t most_inner_boxes = 16;
-
-Box box_of(std::span<const Vec3> points) {
-  Box box{points[0], points[0]};
-  for (const Vec3& point : points) {
-    for (std::size_t k = 0; k != 3; ++k) {
-      box.lo[k] = std::min(box.lo[k], point[k]);
-      box.hi[k] = std::max(box.hi[k], point[k]);
-    }
-  }
-  return box;
-}
 
 /// The second largest extent of a box.
 double width(const Box& box) {
@@ -59,7 +49,7 @@ double width(std::span<const Vec3> polygon) {
       normal[k] += (from_first(i - 1, a) * from_first(i, b) - from_first(i - 1, b) * from_first(i, a)) / 2;
     }
   }
-  const Box box = box_of(polygon);
+  const Box box = box_around(polygon);
   double area = 0;
   double diagonal = 0;
   for (std::size_t k = 0; k != 3; ++k) {
@@ -91,7 +81,7 @@ class Search {
   bool add_body(const kernel::WeldedMesh::Part& part) {
     const std::optional<std::vector<Vec3>> corners = convex_body(mesh_, part);
     if (!corners) return false;
-    if (width(box_of(*corners)) < search_.least_width) return true;
+    if (width(box_around(*corners)) < search_.least_width) return true;
     found_.hull_corners.insert(found_.hull_corners.end(), corners->begin(), corners->end());
     found_.first_hull_corner.push_back(found_.hull_corners.size());
     return true;
