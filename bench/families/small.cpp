@@ -4,7 +4,8 @@
 /// small/one_shaft_64_boxes is the whole cost of cull() for a full word of boxes. small/n/N, small/list_many/N and
 /// small/refine_many/N are calls for N boxes, just below and above a word too: fewer bounds must not cost more.
 /// small/refine_many/N passes these N as candidates (Query::only). small/one_box/cull and small/one_box/classify are
-/// keeps() and classify() of a Box instead of a view, for the boxes of small/n/1.
+/// keeps() and classify() of a Box instead of a view, for the boxes of small/n/1. small/one_box/frustum and
+/// small/one_box/endless are classify() of them by turned views, and by all that lies from these towards the sun.
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -12,12 +13,14 @@
 #include <set>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "harness/suite.hpp"
 #include "shaftcull/cull.hpp"
+#include "shaftcull/hull.hpp"
 #include "shaftcull/isa.hpp"
 #include "shaftcull/many.hpp"
 
@@ -37,6 +40,8 @@ constexpr double most_of_one_more = 1.6;
 
 struct Small {
   std::vector<CompiledShaft> shafts;
+  std::vector<ConvexHull> views;
+  std::vector<ConvexHull> casters;
   BoxView boxes;
   std::vector<std::uint32_t> candidates;
   IndexLists lists;
@@ -56,16 +61,35 @@ void run_cull(benchmark::State& state, const Small& small, std::size_t count) {
 }
 
 /// Asks every shaft about the first box of every slice, one box a call.
-template <class Ask>
-void run_one_box(benchmark::State& state, const Small& small, const Ask& ask) {
+template <class Shafts, class Ask>
+void run_one_box(benchmark::State& state, const Small& small, const Shafts& shafts, const Ask& ask) {
   std::vector<Box> boxes;
   for (std::size_t p = 0; p < slices; ++p) boxes.push_back(small.boxes[p * word_boxes]);
   for (auto _ : state) {
-    for (const CompiledShaft& shaft : small.shafts) {
+    for (const CompiledShaft& shaft : shafts) {
       for (const Box& box : boxes) benchmark::DoNotOptimize(ask(shaft, box));
     }
   }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(small.shafts.size() * slices));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(shafts.size() * slices));
+}
+
+/// What is seen through a turned rectangle around the middle of one box, up to one three times as large around the
+/// middle of another.
+ConvexHull view_between(const Box& from, const Box& to) {
+  const double side[2][3] = {{0.8, 0.5, -0.3}, {-0.2, 0.7, 0.6}};
+  std::vector<Vec3> corners;
+  for (const Box* const end : {&from, &to}) {
+    for (const int corner : {0, 1, 2, 3}) {
+      Vec3& point = corners.emplace_back();
+      for (std::size_t k = 0; k != 3; ++k) {
+        const double size = (end == &to ? 1.5 : 0.5) * (double{from.hi[k]} - from.lo[k]);
+        const double u = (corner & 1) != 0 ? size : -size;
+        const double v = (corner & 2) != 0 ? size : -size;
+        point[k] = static_cast<float>(0.5 * (double{end->lo[k]} + end->hi[k]) + u * side[0][k] + v * side[1][k]);
+      }
+    }
+  }
+  return ConvexHull(corners);
 }
 
 void run_list_many(benchmark::State& state, Small& small, std::size_t count) {
@@ -110,6 +134,8 @@ void declare_small(Suite& suite, const Workload& workload) {
   for (std::size_t i = 0; i < Workload::test_shafts; ++i) {
     small->shafts.push_back(compile(workload.a[i], workload.b[i]));
     complete(small->shafts.back());
+    small->views.push_back(view_between(workload.a[i], workload.b[i]));
+    small->casters.push_back(casters_towards(small->views.back(), {0.4F, 0.8F, 0.2F}));
   }
   small->boxes = workload.boxes.view().slice(0, slices * word_boxes + most_boxes - word_boxes);
   small->candidates.resize(small->boxes.count);
@@ -130,17 +156,26 @@ void declare_small(Suite& suite, const Workload& workload) {
     suite.add(fmt::format("small/one_box/cull/{}", name(isa)), "",
               [=](benchmark::State& state) {
                 select_isa(isa);
-                run_one_box(state, *small,
+                run_one_box(state, *small, small->shafts,
                             [](const CompiledShaft& shaft, const Box& box) { return keeps(shaft, box); });
               },
               {.brief = true});
     suite.add(fmt::format("small/one_box/classify/{}", name(isa)), "",
               [=](benchmark::State& state) {
                 select_isa(isa);
-                run_one_box(state, *small,
+                run_one_box(state, *small, small->shafts,
                             [](const CompiledShaft& shaft, const Box& box) { return classify(shaft, box); });
               },
               {.brief = true});
+    for (const auto& [what, hulls] : {std::pair("frustum", &small->views), std::pair("endless", &small->casters)}) {
+      suite.add(fmt::format("small/one_box/{}/{}", what, name(isa)), "",
+                [isa, small, of = hulls](benchmark::State& state) {
+                  select_isa(isa);
+                  run_one_box(state, *small, *of,
+                              [](const CompiledShaft& shaft, const Box& box) { return classify(shaft, box); });
+                },
+                {.brief = true});
+    }
     declare_sizes(suite, small, isa, "list_many", run_list_many);
     declare_sizes(suite, small, isa, "refine_many", run_refine_many);
   }

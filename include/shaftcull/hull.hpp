@@ -16,6 +16,9 @@
 /// leaves it is inside. All machines give the same answers.
 ///
 /// Contact is always closed: bounds that touch a hull are not outside.
+///
+/// keeps() and classify() of one bound take about 10 to 20 ns for a view (Zen 4), and as long for a hull with
+/// directions.
 #pragma once
 
 #include <array>
@@ -33,7 +36,7 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// The convex hull of up to 32 points, ready for queries. With directions the hull has no end: it holds all that is
 /// reached from the hull of the points along the directions.
 ///
-/// Const members are safe to call from many threads. Copies are deep. Forming or copying a hull allocates about 7 KB.
+/// Const members are safe to call from many threads. Copies are deep. Forming or copying a hull allocates about 10 KB.
 class SHAFTCULL_EXPORT ConvexHull {
  public:
   static constexpr std::size_t max_vertices = 32;  ///< of points and directions together

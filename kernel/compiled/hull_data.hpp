@@ -28,6 +28,17 @@ struct HullData {
     std::int8_t sign;          ///< of what the vertices' orientation says: 1, or −1 if it is positive inside
   };
 
+  /// The coefficients of planes side by side, for tests of one bound, whose vectors hold a plane in each lane. Normals
+  /// of edges are 0 along their axis. Behind the last plane, every bound is behind the plane of a lane.
+  struct alignas(64) PlaneGroup {
+    static constexpr unsigned planes = 16;  // a multiple of the widest vectors
+    float inward[3][planes];
+    float offset[planes];
+    float length[planes];
+    float magnitude[planes];
+  };
+  static constexpr unsigned most_groups = (most_faces + most_edges + PlaneGroup::planes - 1) / PlaneGroup::planes;
+
   float box[6];        ///< around the hull, rounded nowhere; ±∞ where directions lead
   float farthest;      ///< no term of a plane overflows for a centre whose coordinates are at most this, nor their sum
   bool is_bounded;     ///< then planes are scaled so that depths are off by less than 1, the margin
@@ -40,6 +51,7 @@ struct HullData {
   std::uint8_t points;  ///< come first; the other vertices are directions
   Plane plane[most_faces + most_edges];
   float vertex[most_vertices][3];
+  PlaneGroup group[most_groups];  ///< planes in order; those that hold no plane are not written
 };
 
 }  // namespace shaftcull::kernel

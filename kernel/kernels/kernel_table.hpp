@@ -19,12 +19,13 @@ namespace shaftcull::kernel {
 using Test = void(const ShaftData& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
                   std::uint64_t* inside) noexcept;
 
-/// Whether the shaft keeps a single bound, in streams of one. The shaft must answer outside.
-using KeepsOne = bool(const ShaftData& shaft, const float* const* stream) noexcept;
+/// Whether the shaft keeps a single bound: six floats of a box or four of a sphere, side by side. The shaft must answer
+/// outside.
+using KeepsOne = bool(const ShaftData& shaft, const float* bound) noexcept;
 
-/// What the shaft says of a single bound, in streams of one. The shaft must answer everything; pending planes are
+/// What the shaft says of a single bound, as above. The shaft must answer everything; pending planes are
 /// completed on the fly, if the bound is not outside.
-using ClassifyOne = Answer(const ShaftData& shaft, const float* const* stream) noexcept;
+using ClassifyOne = Answer(const ShaftData& shaft, const float* bound) noexcept;
 
 /// Writes the boxes around `count` spheres into six streams, in whole words: what many shafts' tests would each make
 /// anew. A last word that they do not fill is filled up by boxes that are outside of everything.
@@ -243,8 +244,6 @@ struct Kernels {
 
   [[nodiscard]] KeepsOne* keeps_one(const BoxView& /*box*/) const noexcept { return keeps_box; }
   [[nodiscard]] KeepsOne* keeps_one(const SphereView& /*sphere*/) const noexcept { return keeps_sphere; }
-  [[nodiscard]] ClassifyOne* classify_one(const BoxView& /*box*/) const noexcept { return classify_box; }
-  [[nodiscard]] ClassifyOne* classify_one(const SphereView& /*sphere*/) const noexcept { return classify_sphere; }
   [[nodiscard]] TestListedWords* listed(const BoxView& /*boxes*/) const noexcept { return listed_boxes; }
   [[nodiscard]] TestListedWords* listed(const SphereView& /*spheres*/) const noexcept { return listed_spheres; }
   [[nodiscard]] NodeBounds* node_bounds(const BoxView& /*boxes*/) const noexcept { return node_bounds_of_boxes; }

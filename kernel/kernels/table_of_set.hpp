@@ -10,6 +10,7 @@
 #include "kernels/kernel_table.hpp"
 #include "kernels/set_bits.hpp"
 #include "kernels/shared/block_tests.hpp"
+#include "kernels/shared/single_bound.hpp"
 #include "kernels/siblings/block.hpp"
 #include "kernels/siblings/cone.hpp"
 #include "kernels/siblings/facing.hpp"
@@ -86,10 +87,10 @@ inline constexpr Kernels kernels_for = {
     .boxes = test_bounds<L, BoxStages<L>>,
     .spheres = test_bounds<L, UnboxedSphereStages<L>>,
     .boxed_spheres = test_bounds<L, BoxedSphereStages<L>>,
-    .keeps_box = keeps_single<L, BoxStages<L>>,
-    .keeps_sphere = keeps_single<L, UnboxedSphereStages<L>>,
-    .classify_box = classify_single<L, BoxStages<L>>,
-    .classify_sphere = classify_single<L, UnboxedSphereStages<L>>,
+    .keeps_box = keeps_box<L>,
+    .keeps_sphere = keeps_sphere<L>,
+    .classify_box = classify_box<L>,
+    .classify_sphere = classify_sphere<L>,
     .boxes_around_spheres = boxes_around_spheres<L>,
     .grid = grid_kernels<L>(),
     .compile_pair = compile_pair<FormationLanes>,

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "exact/hull_planes.hpp"
+#include "shafts/plane_groups.hpp"
 
 namespace shaftcull::kernel {
 namespace {
@@ -243,6 +244,9 @@ class HullFormation {
 
 }  // namespace
 
-void form_hull(HullData& hull) noexcept { HullFormation{hull}; }
+void form_hull(HullData& hull) noexcept {
+  HullFormation{hull};
+  write_plane_groups(hull);
+}
 
 }  // namespace shaftcull::kernel

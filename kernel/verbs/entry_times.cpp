@@ -25,8 +25,10 @@ void write_times(const kernel::Asked& asked, std::span<const std::uint32_t> indi
     const kernel::EntryTimesOf<View> entry(shaft);
     for (std::size_t i = 0; i != indices.size(); ++i) {
       const kernel::BoundSlice bound = bounds.streams.slice(bounds.position[indices[i]], 1);
-      times[i] = keeps(shaft, bound.stream) ? entry.rounded_down(entry.exact(bound.stream, 0))
-                                            : std::numeric_limits<float>::infinity();
+      float coordinate[6];
+      for (std::size_t s = 0; s != View().stream.size(); ++s) coordinate[s] = *bound.stream[s];
+      times[i] = keeps(shaft, coordinate) ? entry.rounded_down(entry.exact(bound.stream, 0))
+                                          : std::numeric_limits<float>::infinity();
     }
   });
 }

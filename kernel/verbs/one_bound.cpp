@@ -10,35 +10,34 @@
 namespace shaftcull {
 namespace {
 
-/// Streams of one.
-BoxView view_of(const Box& box) noexcept {
-  return {{&box.lo[0], &box.lo[1], &box.lo[2], &box.hi[0], &box.hi[1], &box.hi[2]}, 1};
-}
-SphereView view_of(const Sphere& sphere) noexcept {
-  return {{&sphere.centre[0], &sphere.centre[1], &sphere.centre[2], &sphere.radius}, 1};
-}
+/// Coordinates side by side, as kernels read them.
+static_assert(sizeof(Box) == 6 * sizeof(float) && sizeof(Sphere) == 4 * sizeof(float));
+const float* coordinates_of(const Box& box) noexcept { return box.lo.data(); }
+const float* coordinates_of(const Sphere& sphere) noexcept { return sphere.centre.data(); }
 
-template <class Bound>
+template <kernel::KeepsOne* kernel::Kernels::*keeps, class Bound>
 bool keeps_one(const kernel::ShaftData& shaft, const Bound& bound) {
-  const auto view = view_of(bound);
   kernel::require_formed(shaft, 0);
   const kernel::FloatEnvironment environment;
-  return kernel::active_kernels().keeps_one(view)(shaft, view.stream.data());
+  return (kernel::active_kernels().*keeps)(shaft, coordinates_of(bound));
 }
 
-template <class Bound>
+template <kernel::ClassifyOne* kernel::Kernels::*classify, class Bound>
 Answer classify_one(const kernel::ShaftData& shaft, const Bound& bound) {
-  const auto view = view_of(bound);
   kernel::require_formed(shaft, 0);
   const kernel::FloatEnvironment environment;
-  return kernel::active_kernels().classify_one(view)(shaft, view.stream.data());
+  return (kernel::active_kernels().*classify)(shaft, coordinates_of(bound));
 }
 
 }  // namespace
 
-bool keeps(const CompiledShaft& shaft, const Box& box) { return keeps_one(kernel::data_of(shaft), box); }
+bool keeps(const CompiledShaft& shaft, const Box& box) {
+  return keeps_one<&kernel::Kernels::keeps_box>(kernel::data_of(shaft), box);
+}
 
-bool keeps(const CompiledShaft& shaft, const Sphere& sphere) { return keeps_one(kernel::data_of(shaft), sphere); }
+bool keeps(const CompiledShaft& shaft, const Sphere& sphere) {
+  return keeps_one<&kernel::Kernels::keeps_sphere>(kernel::data_of(shaft), sphere);
+}
 
 bool keeps(const CompiledShaft& shaft, const Triangle& triangle, TriangleTest test) {
   const kernel::ShaftData& data = kernel::data_of(shaft);
@@ -55,10 +54,12 @@ bool keeps(const CompiledShaft& shaft, const Triangle& triangle, TriangleTest te
   return kept != 0;
 }
 
-Answer classify(const CompiledShaft& shaft, const Box& box) { return classify_one(kernel::data_of(shaft), box); }
+Answer classify(const CompiledShaft& shaft, const Box& box) {
+  return classify_one<&kernel::Kernels::classify_box>(kernel::data_of(shaft), box);
+}
 
 Answer classify(const CompiledShaft& shaft, const Sphere& sphere) {
-  return classify_one(kernel::data_of(shaft), sphere);
+  return classify_one<&kernel::Kernels::classify_sphere>(kernel::data_of(shaft), sphere);
 }
 
 }  // namespace shaftcull

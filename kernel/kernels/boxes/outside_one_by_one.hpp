@@ -36,9 +36,8 @@ class SlabInLanes {
         EightFloats::subtract(EightFloats::load(row_of(shaft, ShaftRow::shift)), margin), ends_);
   }
 
-  /// As Slab::interval_length().
-  [[nodiscard]] float interval_length(const float* const* stream, std::size_t i) const noexcept {
-    const Vector box = EightFloats::gather(stream, i);
+  /// As Slab::interval_length(), of a box whose faces are in the first six lanes.
+  [[nodiscard]] float interval_length(Vector box) const noexcept {
     const Vector bound = EightFloats::with_last_two(
         EightFloats::multiply_add(EightFloats::permuted(box, corner_), scale_, shift_), ends_);
     const Vector signed_bound = EightFloats::infinite_if_nan(EightFloats::negate_unless(is_upper_, bound));
@@ -80,9 +79,10 @@ class EndlessSlabInLanes {
     p_ = EightFloats::with_last_two(EightFloats::load(row_of(shaft, ShaftRow::shift)), EightFloats::all(0.0F));
   }
 
-  /// Negative if box `i` is certainly outside, above two_margins() if it certainly is not.
-  [[nodiscard]] float interval_length(const float* const* stream, std::size_t i) const noexcept {
-    const Vector distance = EightFloats::subtract(EightFloats::permuted(EightFloats::gather(stream, i), corner_), p_);
+  /// Negative if a box, whose faces are in the first six lanes, is certainly outside; above two_margins() if it
+  /// certainly is not.
+  [[nodiscard]] float interval_length(Vector box) const noexcept {
+    const Vector distance = EightFloats::subtract(EightFloats::permuted(box, corner_), p_);
     const Vector bound = EightFloats::with_last_two(EightFloats::multiply_add(distance, scale_, added_), ends_);
     const Vector signed_bound = EightFloats::infinite_if_nan(EightFloats::negate_unless(is_upper_, bound));
     const Vector none = EightFloats::all(INFINITY);
@@ -113,7 +113,7 @@ std::uint64_t outside_one_by_one(const ShaftData& shaft, const float* const* str
   std::uint64_t undecided = 0;
   for (; lanes != 0; lanes &= lanes - 1) {
     const unsigned lane = L::lowest_bit(lanes);
-    const float length = slab.interval_length(stream, first + lane);
+    const float length = slab.interval_length(L::EightFloats::gather(stream, first + lane));
     outside |= static_cast<std::uint64_t>(length < 0) << lane;
     undecided |= static_cast<std::uint64_t>((length >= 0) & (length <= slab.two_margins())) << lane;
   }

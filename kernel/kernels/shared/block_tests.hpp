@@ -52,65 +52,6 @@ void test_bounds(const ShaftData& shaft, const float* const* stream, std::size_t
   }
 }
 
-/// The tests of a single bound, as Kernels has them.
-template <class L, class Stages>
-bool keeps_single(const ShaftData& shaft, const float* const* stream) noexcept {
-  const WithPlanes completed(shaft, Stages::needs_planes(shaft));
-  std::uint64_t kept = 0;
-  Stages::cull(completed.shaft(), stream, 1, &kept);
-  return kept != 0;
-}
-
-/// Whether a box, or the centre of a sphere, is not within the box around a shaft between two boxes. Then the bound is
-/// not inside, whatever the joining planes are.
-template <class Stages>
-bool reaches_out(const ShaftData& shaft, const float* const* stream) noexcept {
-  if (shaft.kind != ShaftData::Kind::between) return false;
-  constexpr unsigned hi = Stages::streams == 6 ? 3 : 0;
-  for (unsigned k = 0; k != 3; ++k) {
-    const float below = *stream[k];
-    const float above = *stream[k + hi];
-    if ((below < shaft.a[k] && below < shaft.b[k]) || (above > shaft.a[k + 3] && above > shaft.b[k + 3])) return true;
-  }
-  return false;
-}
-
-/// Whether all corners of a box are in a shaft with closed contact. Then the box is inside, since a shaft is convex.
-/// One test of eight points costs less than the joining planes of the shaft.
-template <class Stages>
-bool keeps_corners(const ShaftData& shaft, const float* const* stream) noexcept {
-  float coordinate[3][8];
-  for (unsigned k = 0; k != 3; ++k) {
-    const float lo = *stream[k];
-    const float hi = *stream[k + 3];
-    if (!(lo <= hi)) return false;  // NaN: not inside
-    for (unsigned corner = 0; corner != 8; ++corner) coordinate[k][corner] = (corner >> k & 1U) != 0 ? hi : lo;
-  }
-  const float* const corners[6] = {coordinate[0], coordinate[1], coordinate[2],
-                                   coordinate[0], coordinate[1], coordinate[2]};
-  std::uint64_t kept = 0;
-  Stages::cull(shaft, corners, 8, &kept);
-  return kept == 0xff;
-}
-
-template <class L, class Stages>
-Answer classify_single(const ShaftData& shaft, const float* const* stream) noexcept {
-  if (!keeps_single<L, Stages>(shaft, stream)) return Answer::outside;
-  if (!shaft.has_planes()) {
-    if (reaches_out<Stages>(shaft, stream)) return Answer::overlap;
-    if constexpr (Stages::streams == 6) {
-      if (shaft.contact == Contact::closed) {
-        return keeps_corners<Stages>(shaft, stream) ? Answer::inside : Answer::overlap;
-      }
-    }
-  }
-  const WithPlanes completed(shaft, true);
-  const std::uint64_t kept = 1;
-  std::uint64_t inside = 0;
-  Stages::find_inside(completed.shaft(), stream, 1, &kept, &inside);
-  return inside == 0 ? Answer::overlap : Answer::inside;
-}
-
 /// As GridKernels has it.
 template <class L, class Stages>
 void finish_after_grid(const ShaftData& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
