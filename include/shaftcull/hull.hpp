@@ -43,8 +43,8 @@ class SHAFTCULL_EXPORT ConvexHull {
 
   /// Forms the hull. Repeated, coplanar, collinear and single points are legal. Throws InvalidArgument if there is no
   /// point, if points and directions are more than max_vertices, if one is not finite, or if a direction is zero. Takes
-  /// about 4.5 µs for 8 points, and about 360 µs for 32 on a sphere: O(n³) planes, each of which is compared with
-  /// points until a point is beyond it.
+  /// about 1.7 µs for 8 points, and about 11 µs for 32 on a sphere: O(n²). Flat hulls, and those with directions on
+  /// all sides, take O(n³).
   explicit ConvexHull(std::span<const Vec3> points, std::span<const Vec3> directions = {});
 
   ConvexHull(const ConvexHull& other);

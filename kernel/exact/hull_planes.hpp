@@ -31,10 +31,14 @@ struct ProjectedLine {
   [[nodiscard]] int side(double x, double y) const noexcept {
     return determinant_sign({x, point[0]}, {y, point[1]}, along[0], along[1]);
   }
-  /// Likewise of a direction.
-  [[nodiscard]] int side_of_direction(double x, double y) const noexcept {
-    return determinant_sign({x, 0}, {y, 0}, along[0], along[1]);
+  /// Likewise of a vertex of the hull, a point or a direction.
+  [[nodiscard]] int side_of(const HullData& hull, unsigned vertex) const noexcept {
+    const double x = hull.vertex[vertex][i];
+    const double y = hull.vertex[vertex][j];
+    return vertex < hull.points ? side(x, y) : determinant_sign({x, 0}, {y, 0}, along[0], along[1]);
   }
+  /// Whether the line is along neither of the two axes, and is no point.
+  [[nodiscard]] bool is_oblique() const noexcept { return along[0].rounded() != 0 && along[1].rounded() != 0; }
 };
 
 }  // namespace shaftcull::kernel

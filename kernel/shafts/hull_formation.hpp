@@ -7,7 +7,11 @@
 namespace shaftcull::kernel {
 
 /// Forms a hull of the vertices that it has: finds its box and all planes, with the margins of floats. Needs the
-/// standard floating-point modes.
+/// standard floating-point modes. O(n²).
 void form_hull(HullData& hull) noexcept;
+
+/// The same to the bit, for any hull, by comparing all vertices with the plane of each three and the line of each two.
+/// O(n³) and more. form_hull() does so for flat hulls, and for those whose directions are on no side of any plane.
+void form_hull_by_search(HullData& hull) noexcept;
 
 }  // namespace shaftcull::kernel

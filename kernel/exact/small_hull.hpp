@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+/// The triangles around the few vertices of a HullData, exactly.
+#pragma once
+
+#include <cstdint>
+
+#include "compiled/hull_data.hpp"
+
+namespace shaftcull::kernel {
+
+/// Some vertices of a hull: bit i for vertex i.
+using VertexSet = std::uint32_t;
+static_assert(HullData::most_vertices <= 32);
+
+/// A triangulation of the boundary of a hull that has an interior.
+///
+/// Vertices are added one by one, as HullMesh does: each takes the place of the triangles that it is in front of, as
+/// seen from there. Signs of determinants decide alone. A direction is a point at infinity, so some triangles may have
+/// nothing but directions: they close the hull at infinity. Everything is in place: nothing is allocated.
+class SmallHull {
+ public:
+  static constexpr unsigned most_triangles = 2 * HullData::most_vertices - 4;
+
+  struct Triangle {
+    std::uint8_t vertex[3];  ///< counterclockwise as seen from outside; the first is a point, if any is
+    VertexSet in_plane;      ///< all vertices of the hull in its plane, so triangles in one plane have the same set
+  };
+
+  /// Triangulates a hull by its vertices and points. O(n²).
+  explicit SmallHull(const HullData& hull) noexcept;
+
+  /// Whether triangles were found. There are none if all vertices are in one plane. Neither are there unless all
+  /// directions are on one side of some plane, as far as a search for it finds one.
+  [[nodiscard]] bool has_triangles() const noexcept { return count_ != 0; }
+  [[nodiscard]] unsigned count() const noexcept { return count_; }
+  [[nodiscard]] const Triangle& operator[](unsigned t) const noexcept { return triangle_[t]; }
+  /// Whether a triangle has nothing but directions.
+  [[nodiscard]] bool is_at_infinity(unsigned t) const noexcept { return triangle_[t].vertex[0] >= hull_.points; }
+  /// The triangle around which the edge runs counterclockwise.
+  [[nodiscard]] unsigned left_of(unsigned from, unsigned to) const noexcept { return left_of_[from][to]; }
+
+ private:
+  struct HorizonEdge {
+    std::uint8_t from;
+    std::uint8_t to;
+    VertexSet in_plane;  ///< of the triangle from here to the vertex that is added
+  };
+
+  [[nodiscard]] bool begin(VertexSet& used) noexcept;
+  void take_positions() noexcept;
+  void add(unsigned vertex) noexcept;
+  [[nodiscard]] std::uint64_t seen_from(unsigned vertex) noexcept;
+  [[nodiscard]] int exact_side(unsigned t, unsigned vertex) const noexcept;
+  void set(unsigned t, unsigned a, unsigned b, unsigned c, VertexSet in_plane) noexcept;
+  void remove(unsigned t) noexcept;
+
+  const HullData& hull_;
+  unsigned count_ = 0;
+  Triangle triangle_[most_triangles];
+  std::uint8_t left_of_[HullData::most_vertices][HullData::most_vertices];
+  /// A point less the first one, or a direction, in doubles.
+  double position_[HullData::most_vertices][3];
+  double extent_[3];  ///< no position is larger
+  /// normal · position − offset of triangles, in doubles, and what it may be off by.
+  double normal_[3][most_triangles];
+  double offset_[most_triangles];
+  double error_[most_triangles];
+};
+
+}  // namespace shaftcull::kernel

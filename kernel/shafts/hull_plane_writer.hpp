@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+/// Planes of a convex hull as kernels read them, with the margins of floats.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+
+#include "compiled/hull_data.hpp"
+#include "exact/hull_planes.hpp"
+#include "support/exact_floats.hpp"
+
+namespace shaftcull::kernel {
+
+/// A normal in doubles, with the axes of its coordinates.
+struct HullNormal {
+  unsigned coordinates;
+  unsigned axis[3];
+  double component[3];
+};
+
+/// Writes planes behind those that a hull has. Faces come first.
+class HullPlaneWriter {
+ public:
+  /// A writer for a hull that has its box.
+  explicit HullPlaneWriter(HullData& hull) noexcept : hull_(hull) {}
+
+  /// Writes the plane of a face through three vertices. Its outward normal is theirs for sign 1, and the opposite for
+  /// −1. No component is 0.
+  void add_face(const std::uint8_t (&vertices)[3], const double (&normal)[3], int sign) noexcept {
+    add(hull_.faces++, {3, {0, 1, 2}, {normal[0], normal[1], normal[2]}}, sign, vertices, 3);
+  }
+
+  /// Writes the plane of an edge along an axis, through two vertices. Edges that are faces, too, come first. Does
+  /// nothing for a line along another axis: it is a face of the box.
+  void add_edge(const ProjectedLine& line, unsigned axis, unsigned from, unsigned to, int sign, bool is_face) noexcept {
+    const double normal[2] = {line.along[1].rounded(), -line.along[0].rounded()};
+    const unsigned number = hull_.faces + hull_.edges++;
+    add(number, {2, {line.i, line.j, 0}, {normal[0], normal[1], 0}}, sign,
+        {static_cast<std::uint8_t>(from), static_cast<std::uint8_t>(to), 0}, axis);
+    if (is_face) std::swap(hull_.plane[number], hull_.plane[hull_.faces + hull_.face_edges++]);
+  }
+
+  /// Writes what all planes have in common, when the last one is written.
+  void finish() noexcept {
+    hull_.suits_floats = suits_floats_;
+    // No term overflows for a coordinate of this size.
+    const double farthest = largest_term / largest_component_;
+    constexpr float largest = std::numeric_limits<float>::max();
+    hull_.farthest = farthest < double{largest} ? static_cast<float>(farthest) : largest;
+  }
+
+ private:
+  void add(unsigned number, const HullNormal& outward, int sign, const std::uint8_t (&vertices)[3],
+           unsigned axis) noexcept {
+    HullData::Plane& plane = hull_.plane[number];
+    std::copy_n(vertices, 3, plane.vertices);
+    plane.axis = static_cast<std::uint8_t>(axis);
+    plane.sign = static_cast<std::int8_t>(sign);
+    const unsigned n = outward.coordinates;
+    double largest = 0;
+    for (unsigned i = 0; i < n; ++i) largest = std::max(largest, std::fabs(outward.component[i]));
+    // A normal with components between 1 and 2, or below, and what its terms may amount to.
+    const double scale = -sign * power_of_2(-exponent_of(largest));
+    double offset = 0;
+    double square = 0;
+    double terms = 0;  // of the vertex
+    double most = 0;   // terms of any corner of the box
+    double widths = 0;
+    for (unsigned i = 0; i < n; ++i) {
+      const unsigned k = outward.axis[i];
+      const auto inward = static_cast<float>(outward.component[i] * scale);
+      plane.inward[i] = inward;
+      // By the sign of the component itself: as a float it may be 0.
+      plane.near[i] = static_cast<std::uint8_t>(sign * outward.component[i] > 0 ? k : k + 3);
+      const double magnitude = std::fabs(static_cast<double>(inward));
+      suits_floats_ &= magnitude >= smallest_component;
+      const double term = static_cast<double>(inward) * hull_.vertex[vertices[0]][k];
+      offset -= term;
+      terms += std::fabs(term);
+      square += magnitude * magnitude;
+      const double lo = hull_.box[k];
+      const double hi = hull_.box[k + 3];
+      most += magnitude * std::max(std::fabs(lo), std::fabs(hi));
+      widths += magnitude * (hi - lo);
+    }
+    int exponent = 0;
+    double margin = 0;
+    if (hull_.is_bounded) {
+      margin = 1;
+      const double error = unit * (17 * widths + 8 * std::fabs(offset) + 5 * most) * 1.02;
+      exponent = error == 0 ? 0 : exponent_of(error) + 1;  // of a number below 1, times the error's power of 2
+    }
+    suits_floats_ &= std::abs(exponent) < most_exponent && terms < largest_terms;
+    const double back = power_of_2(-exponent);
+    for (unsigned i = 0; i < n; ++i) {
+      plane.inward[i] = static_cast<float>(plane.inward[i] * back);
+      largest_component_ = std::max(largest_component_, std::fabs(static_cast<double>(plane.inward[i])));
+    }
+    plane.offset = static_cast<float>(offset * back + margin);
+    plane.length = static_cast<float>(std::sqrt(square) * back);
+    plane.magnitude = static_cast<float>((terms + std::fabs(offset)) * back * (1 + 0x1p-20) + least_magnitude);
+  }
+
+  /// Of doubles that are neither 0 nor denormal: normals and margins of floats keep to 2^±400.
+  static int exponent_of(double x) noexcept {
+    return static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52 & 0x7ffU) - 1023;
+  }
+  static double power_of_2(int exponent) noexcept {
+    return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52);
+  }
+
+  static constexpr double unit = 0x1p-24;  // of a float
+  static constexpr double smallest_component = 0x1p-60;
+  static constexpr double largest_terms = 0x1p60;
+  static constexpr int most_exponent = 60;
+  static constexpr double largest_term = 0x1p125;
+  /// So that a margin relative to it is more than what products that are denormal are off by.
+  static constexpr double least_magnitude = 0x1p-120;
+
+  HullData& hull_;
+  bool suits_floats_ = true;
+  double largest_component_ = 0;
+};
+
+}  // namespace shaftcull::kernel
