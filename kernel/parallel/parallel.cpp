@@ -156,44 +156,76 @@ void free_task_memory(void* memory, std::size_t bytes) noexcept {
 
 namespace {
 
-constexpr std::align_val_t line{64};
-constexpr std::size_t most_cached_bytes = std::size_t{1} << 17U;
+constexpr std::size_t line_bytes = 64;
+constexpr std::align_val_t line{line_bytes};
+constexpr std::size_t most_kept_bytes = std::size_t{1} << 17U;
 
-/// Memory that a thread freed and keeps, where it can free that at its end.
-struct Cached {
-  void* memory = nullptr;
-  std::size_t bytes = 0;
-  Cached() noexcept = default;
-  Cached(const Cached&) = delete;
-  Cached& operator=(const Cached&) = delete;
-  ~Cached() { ::operator delete(memory, line); }
+/// Begins a block of task memory, which follows in the next cache line.
+struct alignas(line_bytes) Block {
+  std::size_t bytes;
 };
 
-Cached& cached_by_this_thread() noexcept {
-  SHAFTCULL_OF_THIS_THREAD Cached cached;
-  return cached;
+void free_block(Block* block) noexcept { ::operator delete(block, line); }
+
+/// Blocks that a thread freed and keeps, where it can free them at its end: two, since a task may need two at once.
+class KeptBlocks {
+ public:
+  KeptBlocks() noexcept = default;
+  KeptBlocks(const KeptBlocks&) = delete;
+  KeptBlocks& operator=(const KeptBlocks&) = delete;
+  ~KeptBlocks() {
+    free_block(small_);
+    free_block(large_);
+  }
+
+  /// A block of at least so many bytes, or null.
+  [[nodiscard]] Block* take(std::size_t bytes) noexcept {
+    if (fits(small_, bytes)) return std::exchange(small_, nullptr);
+    if (fits(large_, bytes)) return std::exchange(large_, nullptr);
+    return nullptr;
+  }
+  /// Keeps a block, unless it is larger than is worth it. Of three, the smallest one is freed.
+  void put(Block* block) noexcept {
+    if (block->bytes <= most_kept_bytes) {
+      if (is_smaller(large_, block)) std::swap(large_, block);
+      if (is_smaller(small_, block)) std::swap(small_, block);
+    }
+    free_block(block);
+  }
+
+ private:
+  static bool fits(const Block* block, std::size_t bytes) noexcept { return block != nullptr && block->bytes >= bytes; }
+  static bool is_smaller(const Block* kept, const Block* block) noexcept {
+    return block != nullptr && (kept == nullptr || kept->bytes < block->bytes);
+  }
+
+  Block* small_ = nullptr;
+  Block* large_ = nullptr;
+};
+
+KeptBlocks& kept_by_this_thread() noexcept {
+  SHAFTCULL_OF_THIS_THREAD KeptBlocks kept;
+  return kept;
 }
 
 }  // namespace
 
 void* allocate_task_memory(std::size_t bytes) {
-  if constexpr (thread_objects_may_have_destructors) {
-    Cached& cached = cached_by_this_thread();
-    if (cached.memory != nullptr && bytes <= cached.bytes) return std::exchange(cached.memory, nullptr);
+  Block* block = nullptr;
+  if constexpr (thread_objects_may_have_destructors) block = kept_by_this_thread().take(bytes);
+  if (block == nullptr) {
+    block = new (::operator new(sizeof(Block) + bytes, line)) Block{bytes};
   }
-  return ::operator new(bytes, line);
+  return block + 1;
 }
 
-void free_task_memory(void* memory, std::size_t bytes) noexcept {
+void free_task_memory(void* memory, std::size_t /*bytes*/) noexcept {
+  Block* const block = static_cast<Block*>(memory) - 1;
   if constexpr (thread_objects_may_have_destructors) {
-    Cached& cached = cached_by_this_thread();
-    if (cached.memory == nullptr && bytes <= most_cached_bytes) {
-      cached.memory = memory;
-      cached.bytes = bytes;
-      return;
-    }
+    kept_by_this_thread().put(block);
+  } else {
+    free_block(block);
   }
-  ::operator delete(memory, line);
 }
 
 #endif
