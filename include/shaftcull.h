@@ -187,6 +187,13 @@ enum {
   SHAFTCULL_TRIANGLES_BY_VERTICES = 1 /* the box around the vertices, and added planes */
 };
 
+/// How hulls cull boxes (HullTest in hull.hpp).
+typedef uint32_t shaftcull_hull_test;
+enum {
+  SHAFTCULL_HULL_EXACT = 0,       /* boxes are outside iff they have no point in common with the hull */
+  SHAFTCULL_HULL_CONSERVATIVE = 1 /* boxes are outside iff they are beyond one face: quicker, and keeps more */
+};
+
 /// Which depths in clip space are in view.
 typedef uint32_t shaftcull_clip_depth;
 enum {
@@ -235,20 +242,21 @@ typedef struct shaftcull_hull shaftcull_hull;
 
 /// The hull of `point_count` points, 3 floats each, extended without end along `direction_count` directions, which may
 /// be none. For a frustum, pass its eight corners; for two polygons or turned boxes, the corners of both. Refuses a
-/// hull without points, more than 32 points and directions, values that are not finite, and a direction of 0. O(n²):
-/// about 1.7 µs for 8 points, 11 µs for 32. Allocates about 8 KB. Freed by shaftcull_hull_free().
+/// hull without points, more than 32 points and directions, values that are not finite, a direction of 0, and a test
+/// that is none. O(n²): about 1.7 µs for 8 points, 11 µs for 32. Allocates about 9 KB. Freed by shaftcull_hull_free().
 SHAFTCULL_API shaftcull_status shaftcull_hull_create(const float* points, uint64_t point_count, const float* directions,
-                                                     uint64_t direction_count, shaftcull_hull** hull);
+                                                     uint64_t direction_count, shaftcull_hull_test test,
+                                                     shaftcull_hull** hull);
 
 /// The view of a view-projection matrix, as for shaftcull_view_planes(). Without a far plane the hull has no end.
-/// Refuses a matrix that is not finite or not invertible, and one with a corner that is not in front of the eye. About
-/// 2 µs; allocates about 8 KB. Freed by shaftcull_hull_free().
+/// Refuses a matrix that is not finite or not invertible, one with a corner that is not in front of the eye, and a
+/// depth or a test that is none. About 2 µs; allocates about 9 KB. Freed by shaftcull_hull_free().
 SHAFTCULL_API shaftcull_status shaftcull_hull_of_frustum(const float matrix[16], shaftcull_clip_depth depth,
-                                                         shaftcull_hull** hull);
+                                                         shaftcull_hull_test test, shaftcull_hull** hull);
 
-/// All that can cast a shadow into `view` by a light at a point of 3 floats. Refuses a light that is not finite, and a
-/// view of 32 points and directions. Time and allocation as for shaftcull_hull_create(). Freed by
-/// shaftcull_hull_free().
+/// All that can cast a shadow into `view` by a light at a point of 3 floats, with the test of the view. Refuses a light
+/// that is not finite, and a view of 32 points and directions. Time and allocation as for shaftcull_hull_create().
+/// Freed by shaftcull_hull_free().
 SHAFTCULL_API shaftcull_status shaftcull_hull_of_casters(const shaftcull_hull* view, const float light[3],
                                                          shaftcull_hull** hull);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// hull/…: convex hulls, on one thread. hull/frustum/boxes: what some cameras see of many boxes, exactly; against the
 /// usual six planes, which keep too much, in vectors by hand (six_planes) and box by box (array_of_structs).
+/// hull/frustum/conservative: the same by conservative hulls, which cull by faces alone.
 /// hull/casters/list: the hull of a view and a light is formed, and lists what it keeps of a tree; hull/view/list: the
 /// view alone lists, formed before.
 #include <array>
@@ -58,6 +59,7 @@ std::array<float, 16> camera(Random& random) {
 /// Cameras, in all the ways in which they are asked.
 struct Cameras {
   std::vector<ConvexHull> hulls;
+  std::vector<ConvexHull> conservative;
   std::vector<SixPlanes> planes;
   std::vector<CentreExtent> records;
   std::vector<std::uint64_t> kept;
@@ -67,6 +69,7 @@ struct Cameras {
     for (std::size_t i = 0; i != cameras; ++i) {
       const std::array<float, 16> matrix = camera(random);
       hulls.push_back(frustum(matrix, ClipDepth::zero_to_one));
+      conservative.push_back(frustum(matrix, ClipDepth::zero_to_one, HullTest::conservative));
       SixPlanes six{};
       const ViewPlanes planes_of_view = view_planes(matrix, ClipDepth::zero_to_one);
       for (std::size_t p = 0; p != planes_of_view.count; ++p) six[p] = planes_of_view.plane[p];
@@ -143,6 +146,11 @@ void declare_hull(Suite& suite, const Workload& workload) {
       select_isa(isa);
       run(state, *all, boxes.count, [&](std::size_t c) { cull(all->hulls[c], boxes, all->kept); });
     });
+    suite.add("hull/frustum/conservative/" + set, "", [=](benchmark::State& state) {
+      select_isa(isa);
+      run(state, *all, boxes.count, [&](std::size_t c) { cull(all->conservative[c], boxes, all->kept); });
+    });
+    suite.add_target("hull/frustum/conservative/" + set, "hull/six_planes/boxes/avx2", 0.95);
     suite.add_target("hull/frustum/boxes/" + set, "hull/six_planes/boxes/avx2", 0.7);
     suite.add_target("hull/frustum/boxes/" + set, "hull/array_of_structs/boxes", 2.5);
 

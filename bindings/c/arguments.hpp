@@ -86,6 +86,9 @@ template <class Enum>
   return as_enumerator(depth, ClipDepth::minus_one_to_one, "depth",
                        "SHAFTCULL_DEPTH_ZERO_TO_ONE and SHAFTCULL_DEPTH_MINUS_ONE_TO_ONE");
 }
+[[nodiscard]] inline HullTest as_hull_test(shaftcull_hull_test test) {
+  return as_enumerator(test, HullTest::conservative, "test", "SHAFTCULL_HULL_EXACT and SHAFTCULL_HULL_CONSERVATIVE");
+}
 [[nodiscard]] inline Form as_form(shaftcull_form form) {
   return as_enumerator(form, Form::planes, "form", "SHAFTCULL_FORM_SLAB and SHAFTCULL_FORM_PLANES");
 }

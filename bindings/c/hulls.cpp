@@ -26,19 +26,20 @@ const float* floats_of(std::span<const Vec3> vectors) noexcept {
 extern "C" {
 
 shaftcull_status shaftcull_hull_create(const float* points, uint64_t point_count, const float* directions,
-                                       uint64_t direction_count, shaftcull_hull** hull) {
+                                       uint64_t direction_count, shaftcull_hull_test test, shaftcull_hull** hull) {
   return guarded([&] {
     shaftcull_hull*& out = given(hull, "hull");
     const std::vector<Vec3> all_points = as_vectors(points, point_count, "points");
-    out = new_hull(ConvexHull(all_points, as_vectors(directions, direction_count, "directions")));
+    out = new_hull(ConvexHull(all_points, as_vectors(directions, direction_count, "directions"), as_hull_test(test)));
   });
 }
 
-shaftcull_status shaftcull_hull_of_frustum(const float matrix[16], shaftcull_clip_depth depth, shaftcull_hull** hull) {
+shaftcull_status shaftcull_hull_of_frustum(const float matrix[16], shaftcull_clip_depth depth, shaftcull_hull_test test,
+                                           shaftcull_hull** hull) {
   return guarded([&] {
     shaftcull_hull*& out = given(hull, "hull");
     (void)given(matrix, "matrix");
-    out = new_hull(shaftcull::frustum(std::span<const float, 16>(matrix, 16), as_depth(depth)));
+    out = new_hull(shaftcull::frustum(std::span<const float, 16>(matrix, 16), as_depth(depth), as_hull_test(test)));
   });
 }
 

@@ -23,6 +23,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 
@@ -33,6 +34,16 @@
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 
+/// How hulls cull boxes. Spheres, and what is inside, are answered alike by both.
+enum class HullTest : std::uint8_t {
+  /// Boxes are outside iff they have no point in common with the hull.
+  exact,
+  /// Boxes are outside iff they are beyond one face of the hull: the usual test of a frustum by its planes. It keeps
+  /// what the exact test keeps, and boxes beside edges and corners of the hull, most of them large ones. Of faces that
+  /// are parallel within a third of a degree one counts. Times: docs/measurements.md, *Convex hulls*.
+  conservative,
+};
+
 /// The convex hull of up to 32 points, ready for queries. With directions the hull has no end: it holds all that is
 /// reached from the hull of the points along the directions.
 ///
@@ -42,10 +53,11 @@ class SHAFTCULL_EXPORT ConvexHull {
   static constexpr std::size_t max_vertices = 32;  ///< of points and directions together
 
   /// Forms the hull. Repeated, coplanar, collinear and single points are legal. Throws InvalidArgument if there is no
-  /// point, if points and directions are more than max_vertices, if one is not finite, or if a direction is zero. Takes
-  /// about 1.7 µs for 8 points, and about 11 µs for 32 on a sphere: O(n²). Flat hulls, and those with directions on
-  /// all sides, take O(n³).
-  explicit ConvexHull(std::span<const Vec3> points, std::span<const Vec3> directions = {});
+  /// point, if points and directions are more than max_vertices, if one is not finite, if a direction is zero, or if
+  /// `test` is not an enumerator. Takes about 1.7 µs for 8 points, and about 11 µs for 32 on a sphere: O(n²). Flat
+  /// hulls, and those with directions on all sides, take O(n³).
+  explicit ConvexHull(std::span<const Vec3> points, std::span<const Vec3> directions = {},
+                      HullTest test = HullTest::exact);
 
   ConvexHull(const ConvexHull& other);
   ConvexHull& operator=(const ConvexHull& other);
@@ -66,6 +78,8 @@ class SHAFTCULL_EXPORT ConvexHull {
   /// The points and the directions, as they were given.
   [[nodiscard]] std::span<const Vec3> points() const noexcept;
   [[nodiscard]] std::span<const Vec3> directions() const noexcept;
+  /// The test, as it was given; exact for a moved-from hull.
+  [[nodiscard]] HullTest test() const noexcept;
 
  private:
   struct Parts;
@@ -81,17 +95,19 @@ class SHAFTCULL_EXPORT ConvexHull {
 ///
 /// The matrix is as for view_planes(). Corners are computed in doubles and rounded to the nearest floats; the hull is
 /// exact for these floats. Throws InvalidArgument if the matrix is not finite or not invertible, if a corner overflows
-/// a float or is not in front of the eye, if a plane of the matrix leaves nothing in view, or if `depth` is not an
-/// enumerator.
-[[nodiscard]] SHAFTCULL_EXPORT ConvexHull frustum(std::span<const float, 16> matrix, ClipDepth depth);
+/// a float or is not in front of the eye, if a plane of the matrix leaves nothing in view, or if `depth` or `test` is
+/// not an enumerator.
+[[nodiscard]] SHAFTCULL_EXPORT ConvexHull frustum(std::span<const float, 16> matrix, ClipDepth depth,
+                                                  HullTest test = HullTest::exact);
 
-/// Returns the hull of `view` and a light at a point, which holds all that can cast a shadow into the view. Throws
+/// Returns the hull of `view` and a light at a point, which holds all that can cast a shadow into the view, with the
+/// test of the view. Throws
 /// InvalidArgument if the light is not finite, or if the view has max_vertices already or was never formed.
 [[nodiscard]] SHAFTCULL_EXPORT ConvexHull casters(const ConvexHull& view, const Vec3& light);
 
 /// Returns the hull of `view` and all that lies from it towards the sun: all that can cast the sun's shadow into the
-/// view. Throws InvalidArgument if the direction is not finite or zero, or if the view has max_vertices already or was
-/// never formed.
+/// view, with the test of the view. Throws InvalidArgument if the direction is not finite or zero, or if the view has
+/// max_vertices already or was never formed.
 [[nodiscard]] SHAFTCULL_EXPORT ConvexHull casters_towards(const ConvexHull& view, const Vec3& towards_sun);
 
 }  // namespace shaftcull

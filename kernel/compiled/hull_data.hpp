@@ -37,21 +37,28 @@ struct HullData {
     float length[planes];
     float magnitude[planes];
   };
-  static constexpr unsigned most_groups = (most_faces + most_edges + PlaneGroup::planes - 1) / PlaneGroup::planes;
+  /// One more than planes fill: planes that boxes are culled by may have groups of their own.
+  static constexpr unsigned most_groups = (most_faces + most_edges + PlaneGroup::planes - 1) / PlaneGroup::planes + 1;
 
-  float box[6];        ///< around the hull, rounded nowhere; ±∞ where directions lead
-  float farthest;      ///< no term of a plane overflows for a centre whose coordinates are at most this, nor their sum
-  bool is_bounded;     ///< then planes are scaled so that depths are off by less than 1, the margin
-  bool suits_floats;   ///< if not, exact predicates decide alone
-  std::uint8_t faces;  ///< with three coordinates each
-  std::uint8_t apart;  ///< of the faces, those that come first: each of the others is nearly parallel to one of them
-  std::uint8_t edges;  ///< behind the faces, with two coordinates each
+  float box[6];       ///< around the hull, rounded nowhere; ±∞ where directions lead
+  float farthest;     ///< no term of a plane overflows for a centre whose coordinates are at most this, nor their sum
+  bool is_bounded;    ///< then planes are scaled so that depths are off by less than 1, the margin
+  bool suits_floats;  ///< if not, exact predicates decide alone
+  bool is_conservative;  ///< boxes are outside by `apart` faces and `face_edges` alone, and by `box` if it has faces
+  bool culls_by_box;     ///< boxes that do not meet `box` are outside
+  std::uint8_t faces;    ///< with three coordinates each
+  std::uint8_t apart;    ///< of the faces, those that come first: each of the others is nearly parallel to one of them
+  std::uint8_t edges;    ///< behind the faces, with two coordinates each
   std::uint8_t face_edges;  ///< of the edges, those that come first: each is a face of the hull, too
   std::uint8_t vertices;
   std::uint8_t points;  ///< come first; the other vertices are directions
   Plane plane[most_faces + most_edges];
   float vertex[most_vertices][3];
-  PlaneGroup group[most_groups];  ///< planes in order; those that hold no plane are not written
+  /// Planes: first those that boxes are culled by, which are all or fill groups of their own. Groups behind the last
+  /// plane are not written.
+  PlaneGroup group[most_groups];
+  std::uint8_t culling_lanes;  ///< of the groups, those that boxes are culled by
+  std::uint8_t lanes;          ///< of the groups, those that hold planes
 };
 
 }  // namespace shaftcull::kernel

@@ -105,6 +105,25 @@ struct BoxAround {
   }
 };
 
+/// Whether a box is beyond one of the planes [first, last).
+bool is_beyond_any(const HullData& hull, unsigned first, unsigned last, const float (&bound)[6]) noexcept {
+  for (unsigned number = first; number < last; ++number) {
+    const HullPlane& plane = hull.plane[number];
+    bool is_bounded = true;  // an infinite extent leads behind the plane, and a NaN says nothing
+    for (unsigned i = 0; i < Axes(hull, number).count; ++i) is_bounded &= std::isfinite(bound[plane.near[i]]);
+    if (is_bounded && corner_side(hull, number, bound, plane.near) > 0) return true;
+  }
+  return false;
+}
+
+/// Whether a box and the hull have no point in common.
+bool box_misses_hull(const HullData& hull, const float (&bound)[6]) noexcept {
+  for (unsigned k = 0; k < 3; ++k) {
+    if (bound[k] > bound[k + 3] || bound[k + 3] < hull.box[k] || bound[k] > hull.box[k + 3]) return true;
+  }
+  return is_beyond_any(hull, 0, hull.faces + hull.edges, bound);
+}
+
 }  // namespace
 
 SpannedPlane plane_through(const HullData& hull, const std::uint8_t (&vertices)[3]) noexcept {
@@ -126,16 +145,13 @@ ProjectedLine::ProjectedLine(const HullData& hull, unsigned axis, unsigned from,
       along{step_between(hull, from, to, i), step_between(hull, from, to, j)} {}
 
 bool hull_box_outside(const HullData& hull, const float (&bound)[6]) noexcept {
+  if (!hull.is_conservative) return box_misses_hull(hull, bound);
   for (unsigned k = 0; k < 3; ++k) {
-    if (bound[k] > bound[k + 3] || bound[k + 3] < hull.box[k] || bound[k] > hull.box[k + 3]) return true;
+    if (bound[k] > bound[k + 3]) return true;
+    if (hull.culls_by_box && (bound[k + 3] < hull.box[k] || bound[k] > hull.box[k + 3])) return true;
   }
-  for (unsigned number = 0; number < hull.faces + hull.edges; ++number) {
-    const HullPlane& plane = hull.plane[number];
-    bool is_bounded = true;  // an infinite extent leads behind the plane, and a NaN says nothing
-    for (unsigned i = 0; i < Axes(hull, number).count; ++i) is_bounded &= std::isfinite(bound[plane.near[i]]);
-    if (is_bounded && corner_side(hull, number, bound, plane.near) > 0) return true;
-  }
-  return false;
+  return is_beyond_any(hull, 0, hull.apart, bound) ||
+         is_beyond_any(hull, hull.faces, hull.faces + hull.face_edges, bound);
 }
 
 bool hull_box_inside(const HullData& hull, const float (&bound)[6]) noexcept {
@@ -174,7 +190,7 @@ bool hull_sphere_outside(const HullData& hull, const float (&sphere)[4]) noexcep
   }
   if (std::isinf(radius)) return false;
   if (std::isfinite(sphere[0]) && std::isfinite(sphere[1]) && std::isfinite(sphere[2]) &&
-      hull_box_outside(hull, BoxAround(sphere).face)) {
+      box_misses_hull(hull, BoxAround(sphere).face)) {
     return true;
   }
   for (unsigned number = 0; number < hull.faces + hull.edges; ++number) {

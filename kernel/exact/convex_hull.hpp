@@ -6,8 +6,8 @@
 
 namespace shaftcull::kernel {
 
-/// Whether the box with the corners of `bound` (order of a BoxView's streams) misses the hull. One with lo > hi
-/// on an axis does.
+/// Whether the box with the corners of `bound` (order of a BoxView's streams) misses the hull; if this is conservative,
+/// whether the box is beyond a plane that such hulls cull by. One with lo > hi on an axis is.
 [[nodiscard]] bool hull_box_outside(const HullData& hull, const float (&bound)[6]) noexcept;
 
 /// Whether that box is inside the hull.

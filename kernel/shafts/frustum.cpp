@@ -77,7 +77,7 @@ std::array<Vec3, 4> corners_at(const Matrix& inverse, double depth, bool are_dir
   return corners;
 }
 
-ConvexHull frustum_of(std::span<const float, 16> floats, ClipDepth depth) {
+ConvexHull frustum_of(std::span<const float, 16> floats, ClipDepth depth, HullTest test) {
   Matrix matrix{};
   for (std::size_t i = 0; i != 16; ++i) matrix[i / 4][i % 4] = floats[i];
   Matrix inverse{};
@@ -100,7 +100,7 @@ ConvexHull frustum_of(std::span<const float, 16> floats, ClipDepth depth) {
     }
   }
   if (points == 0) kernel::fail(InvalidArgument("frustum: the view has no end, neither near nor far"));
-  return ConvexHull(std::span(vertex).first(points), std::span(vertex).subspan(points));
+  return ConvexHull(std::span(vertex).first(points), std::span(vertex).subspan(points), test);
 }
 
 /// Throws unless a call can add a vertex, the light or the direction called `what`, to a view.
@@ -127,14 +127,15 @@ ConvexHull extended(const ConvexHull& view, const Vec3* point, const Vec3* direc
   end = std::copy(view.directions().begin(), view.directions().end(), end);
   if (direction != nullptr) *end++ = *direction;
   return ConvexHull(std::span(vertex).first(points),
-                    std::span(vertex).subspan(points, static_cast<std::size_t>(end - vertex.begin()) - points));
+                    std::span(vertex).subspan(points, static_cast<std::size_t>(end - vertex.begin()) - points),
+                    view.test());
 }
 
 }  // namespace
 
-ConvexHull frustum(std::span<const float, 16> matrix, ClipDepth depth) {
+ConvexHull frustum(std::span<const float, 16> matrix, ClipDepth depth, HullTest test) {
   static_cast<void>(kernel::planes_of_view("frustum", matrix, depth));  // throws unless the matrix shows anything
-  return kernel::in_float_environment([&] { return frustum_of(matrix, depth); });
+  return kernel::in_float_environment([&] { return frustum_of(matrix, depth, test); });
 }
 
 ConvexHull casters(const ConvexHull& view, const Vec3& light) {

@@ -92,14 +92,19 @@ CompiledShaft referring_to(const HullData& hull) noexcept {
 
 }  // namespace
 
-ConvexHull::ConvexHull(std::span<const Vec3> points, std::span<const Vec3> directions) {
+ConvexHull::ConvexHull(std::span<const Vec3> points, std::span<const Vec3> directions, HullTest test) {
   kernel::in_float_environment([&] {
     require_vertices(points, directions);
+    if (test > HullTest::conservative) {
+      kernel::fail(InvalidArgument("test = " + std::to_string(static_cast<unsigned>(test)) +
+                                   " is neither HullTest::exact nor HullTest::conservative"));
+    }
     parts_ = std::make_unique<Parts>();
     parts_->points = points.size();
     parts_->vertices = points.size() + directions.size();
     std::copy(directions.begin(), directions.end(), std::copy(points.begin(), points.end(), parts_->vertex.begin()));
     fill(parts_->data, this->points(), this->directions());
+    parts_->data.is_conservative = test == HullTest::conservative;
     kernel::form_hull(parts_->data);
   });
   compiled_ = referring_to(parts_->data);
@@ -128,6 +133,10 @@ Box ConvexHull::box() const noexcept { return compiled_.a(); }
 std::span<const Vec3> ConvexHull::points() const noexcept {
   if (!parts_) return {};
   return {parts_->vertex.data(), parts_->points};
+}
+
+HullTest ConvexHull::test() const noexcept {
+  return parts_ && parts_->data.is_conservative ? HullTest::conservative : HullTest::exact;
 }
 
 std::span<const Vec3> ConvexHull::directions() const noexcept {

@@ -251,9 +251,23 @@ void put_parallel_faces_last(HullData& hull) noexcept {
   }
 }
 
+/// Whether a face of the hull lies in one of its box, or there are too few others for a solid. A conservative hull may
+/// be culled by its box in any case, so it does not matter that three vertices in a face may be in line.
+bool has_faces_in_box(const HullData& hull) noexcept {
+  if (hull.apart + hull.face_edges < 4) return true;
+  for (unsigned f = 0; f < 6; ++f) {
+    const auto is_in_face = [&](unsigned v) { return hull.vertex[v][f % 3] == (v < hull.points ? hull.box[f] : 0.0F); };
+    unsigned in_face = 0;
+    for (unsigned v = 0; v < hull.vertices; ++v) in_face += is_in_face(v) ? 1 : 0;
+    if (in_face >= 3) return true;
+  }
+  return false;
+}
+
 /// All planes are written.
 void end(HullData& hull) noexcept {
   put_parallel_faces_last(hull);
+  hull.culls_by_box = !hull.is_conservative || has_faces_in_box(hull);
   write_plane_groups(hull);
 }
 

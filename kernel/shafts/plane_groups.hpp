@@ -8,27 +8,65 @@
 
 namespace shaftcull::kernel {
 
+/// Writes planes into the lanes of groups, one after the other.
+class PlaneGroupWriter {
+ public:
+  explicit PlaneGroupWriter(HullData& hull) noexcept : hull_(hull) {}
+
+  /// Planes [first, last).
+  void add(unsigned first, unsigned last) noexcept {
+    for (unsigned p = first; p < last; ++p) add(p);
+  }
+  /// Fills the last group with what everything is behind.
+  void end_group() noexcept {
+    while (lanes_ % Group::planes != 0) next().offset[lane()] = std::numeric_limits<float>::infinity();
+  }
+  [[nodiscard]] std::uint8_t lanes() const noexcept { return static_cast<std::uint8_t>(lanes_); }
+
+ private:
+  using Group = HullData::PlaneGroup;
+
+  void add(unsigned number) noexcept {
+    const HullData::Plane& plane = hull_.plane[number];
+    Group& group = next();
+    const bool is_face = number < hull_.faces;
+    const unsigned first_axis = is_face ? 0 : plane.axis + 1U;
+    for (unsigned i = 0; i < (is_face ? 3U : 2U); ++i) group.inward[(first_axis + i) % 3][lane()] = plane.inward[i];
+    group.offset[lane()] = plane.offset;
+    group.length[lane()] = plane.length;
+    group.magnitude[lane()] = plane.magnitude;
+  }
+  /// The group that holds the next lane, which lane() is from now on, with nothing in it.
+  [[nodiscard]] Group& next() noexcept {
+    Group& group = hull_.group[lanes_++ / Group::planes];
+    for (unsigned k = 0; k < 3; ++k) group.inward[k][lane()] = 0;
+    group.length[lane()] = group.magnitude[lane()] = 0;
+    return group;
+  }
+  [[nodiscard]] unsigned lane() const noexcept { return (lanes_ - 1) % Group::planes; }
+
+  HullData& hull_;
+  unsigned lanes_ = 0;
+};
+
 /// Writes the groups of a hull whose planes are known.
 inline void write_plane_groups(HullData& hull) noexcept {
-  using Group = HullData::PlaneGroup;
+  PlaneGroupWriter writer(hull);
   const unsigned planes = hull.faces + hull.edges;
-  for (unsigned p = 0; p % Group::planes != 0 || p < planes; ++p) {
-    Group& group = hull.group[p / Group::planes];
-    const unsigned lane = p % Group::planes;
-    for (unsigned k = 0; k < 3; ++k) group.inward[k][lane] = 0;
-    if (p >= planes) {
-      group.offset[lane] = std::numeric_limits<float>::infinity();
-      group.length[lane] = group.magnitude[lane] = 0;
-      continue;
-    }
-    const HullData::Plane& plane = hull.plane[p];
-    const bool is_face = p < hull.faces;
-    const unsigned first_axis = is_face ? 0 : plane.axis + 1U;
-    for (unsigned i = 0; i < (is_face ? 3U : 2U); ++i) group.inward[(first_axis + i) % 3][lane] = plane.inward[i];
-    group.offset[lane] = plane.offset;
-    group.length[lane] = plane.length;
-    group.magnitude[lane] = plane.magnitude;
+  if (hull.is_conservative) {
+    const unsigned other_edges = hull.faces + hull.face_edges;
+    writer.add(0, hull.apart);
+    writer.add(hull.faces, other_edges);
+    writer.end_group();
+    hull.culling_lanes = writer.lanes();
+    writer.add(hull.apart, hull.faces);
+    writer.add(other_edges, planes);
+  } else {
+    writer.add(0, planes);
+    hull.culling_lanes = static_cast<std::uint8_t>(planes);
   }
+  hull.lanes = writer.lanes();
+  writer.end_group();
 }
 
 }  // namespace shaftcull::kernel

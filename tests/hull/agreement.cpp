@@ -57,8 +57,9 @@ std::vector<Answer> answers(const ConvexHull& hull, const std::vector<Bound>& bo
 /// Fails, with a reproducer for the first wrong one, unless all answers are right: `correct` is given each with its
 /// bound, and returns what it should be.
 template <class Bound, class Correct>
-void expect_right(const HullInput& input, const std::vector<Bound>& bounds, const char* form, const Correct& correct) {
-  const ConvexHull hull(input.points, input.directions);
+void expect_right(const HullInput& input, const std::vector<Bound>& bounds, const char* form, const Correct& correct,
+                  HullTest test = HullTest::exact) {
+  const ConvexHull hull(input.points, input.directions, test);
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
     const std::vector<Answer> found = answers(hull, bounds);
@@ -77,6 +78,15 @@ void expect_exact(const HullInput& input, const std::vector<Box>& boxes) {
   right.reserve(boxes.size());
   for (const Box& box : boxes) right.push_back(oracle.answer(box));
   expect_right(input, boxes, "boxes of a hull", [&](std::size_t i, Answer) { return right[i]; });
+  // A conservative hull may keep a box that is outside, on all instruction sets alike.
+  std::vector<Answer> conservative;
+  const auto may_be = [&](std::size_t i, Answer found) {
+    if (conservative.size() == i) {
+      conservative.push_back(right[i] == Answer::outside && found == Answer::overlap ? found : right[i]);
+    }
+    return conservative[i];
+  };
+  expect_right(input, boxes, "boxes of a conservative hull", may_be, HullTest::conservative);
 }
 
 /// Spheres that are outside are beyond a plane, those that are clearly so are outside; likewise inside. All instruction
@@ -344,6 +354,68 @@ TEST(Hull, OfAViewIsWhatItsPlanesShowAndNoMore) {
     for (unsigned b = 0; b != 100; ++b) boxes.push_back(random.box(-70, 70, 0, 12));
     expect_exact(input, boxes);
     if (HasFatalFailure()) return;
+  }
+}
+
+TEST(Hull, AConservativeViewIsTheUsualTestByPlanes) {
+  Random random(12);
+  std::size_t kept_in_vain = 0;
+  for (unsigned i = 0; i != 40; ++i) {
+    const std::array<float, 16> matrix = camera(random, random.vec3(-20, 20), i % 2 == 1, i / 2 % 2 == 1);
+    const ConvexHull exact = frustum(matrix, ClipDepth::zero_to_one);
+    const ConvexHull view = frustum(matrix, ClipDepth::zero_to_one, HullTest::conservative);
+    const ViewPlanes planes = view_planes(matrix, ClipDepth::zero_to_one);
+    for (unsigned b = 0; b != 400; ++b) {
+      const Box box = random.box(-70, 70, 0, 40);
+      double most = -1e30;  // of the near corner, in front of any plane
+      for (const Plane& plane : planes) {
+        double value = -static_cast<double>(plane.offset);
+        double square = 0;
+        for (std::size_t k = 0; k != 3; ++k) {
+          const double n = plane.normal[k];
+          value += n * static_cast<double>(n > 0 ? box.lo[k] : box.hi[k]);
+          square += n * n;
+        }
+        most = std::max(most, value / std::sqrt(square));
+      }
+      if (std::abs(most) < 1e-2) continue;
+      EXPECT_EQ(keeps(view, box), most < 0) << most;
+      kept_in_vain += keeps(view, box) && !keeps(exact, box) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(kept_in_vain, 40U);
+}
+
+TEST(Hull, AConservativeHullAnswersAlikeInTreesAndAmongMany) {
+  Random random(13);
+  for (std::uint64_t i = 0; i != random_cases(40); ++i) {
+    const HullInput input = hull_of(random, 9, [&] { return random.uniform(-10, 10); });
+    const ConvexHull hull(input.points, input.directions, HullTest::conservative);
+    std::vector<Box> boxes;
+    for (unsigned b = 0; b != 700 + i % 7; ++b) boxes.push_back(random.box(-25, 25, 0, 6));
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    boxes.push_back({{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}});
+    const BoxStream stream{std::span<const Box>(boxes)};
+    const BoxTree tree{std::span<const Box>(boxes)};
+    const std::vector<CompiledShaft> two{hull.compiled(), compile(random.box(-5, 5, 0, 2), random.box(-5, 5, 0, 2))};
+    for (const Isa isa : isas_under_test()) {
+      const UseIsa use(isa);
+      std::vector<std::uint64_t> kept(bit_words(boxes.size()));
+      std::vector<std::uint64_t> inside(kept.size());
+      std::vector<std::uint64_t> tree_kept(kept.size());
+      std::vector<std::uint64_t> tree_inside(kept.size());
+      std::vector<std::uint64_t> many_kept(2 * kept.size());
+      classify(hull, stream, kept, inside);
+      classify(hull, tree, tree_kept, tree_inside);
+      cull_many(two, stream, many_kept);
+      ASSERT_EQ(tree_kept, kept) << source_text(input) << " on " << name(isa);
+      ASSERT_EQ(tree_inside, inside) << source_text(input) << " on " << name(isa);
+      many_kept.resize(kept.size());
+      ASSERT_EQ(many_kept, kept) << source_text(input) << " on " << name(isa);
+      cull_many(two, tree, many_kept = std::vector<std::uint64_t>(2 * kept.size()));
+      many_kept.resize(kept.size());
+      ASSERT_EQ(many_kept, kept) << source_text(input) << " on " << name(isa);
+    }
   }
 }
 

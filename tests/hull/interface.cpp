@@ -48,6 +48,55 @@ TEST(HullInterface, OpenContactIsRefused) {
   EXPECT_EQ(shafts[0].contact(), Contact::closed) << "written before the error was found";
 }
 
+TEST(HullInterface, TheTestIsThatOfTheViewAndKept) {
+  EXPECT_EQ(ConvexHull(tetrahedron).test(), HullTest::exact);
+  ConvexHull view(tetrahedron, {}, HullTest::conservative);
+  EXPECT_EQ(view.test(), HullTest::conservative);
+  EXPECT_EQ(ConvexHull(view).test(), HullTest::conservative);
+  EXPECT_EQ(casters(view, {9, 9, 9}).test(), HullTest::conservative);
+  EXPECT_EQ(casters_towards(view, {0, 1, 0}).test(), HullTest::conservative);
+  EXPECT_EQ(casters(ConvexHull(tetrahedron), {9, 9, 9}).test(), HullTest::exact);
+  const ConvexHull moved = std::move(view);
+  EXPECT_EQ(moved.test(), HullTest::conservative);
+  EXPECT_EQ(view.test(), HullTest::exact);  // NOLINT(bugprone-use-after-move): what is left of it
+  EXPECT_THAT(message_of([] { const ConvexHull hull(tetrahedron, {}, static_cast<HullTest>(2)); }),
+              HasSubstr("test = 2 is neither HullTest::exact nor HullTest::conservative"));
+}
+
+TEST(HullInterface, AConservativeHullKeepsWhatNoFaceParts) {
+  // The box is beside an edge of the octahedron: beyond none of its faces, and outside.
+  const Box beside{{2.25F, 2.25F, -5}, {5, 5, 5}};
+  const Box below{{2, 2, 2}, {3, 3, 3}};
+  const Box within{{0.5F, 0.5F, 0.5F}, {1, 1, 1}};
+  const std::vector<Vec3> corners{{-4, 0, 0}, {4, 0, 0}, {0, -4, 0}, {0, 4, 0}, {0, 0, -4}, {0, 0, 4}};
+  const ConvexHull exact(corners);
+  const ConvexHull conservative(corners, {}, HullTest::conservative);
+  on_each_instruction_set([&] {
+    EXPECT_EQ(classify(conservative, below), Answer::outside);
+    EXPECT_EQ(classify(conservative, within), Answer::inside);
+    EXPECT_EQ(classify(exact, within), Answer::inside);
+    EXPECT_EQ(classify(exact, beside), Answer::outside);
+    EXPECT_EQ(classify(conservative, beside), Answer::overlap);
+    EXPECT_FALSE(keeps(conservative, Box{{1, 1, 1}, {1, 0.5F, 1}}));  // empty
+    EXPECT_FALSE(keeps(conservative, Box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}}));
+    // Faces across axes are among those of the box around a hull. What has no faces is culled by that box.
+    for (const std::vector<Vec3>& points :
+         {std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}},
+          std::vector<Vec3>{{1, 1, 1}}, std::vector<Vec3>{{0, 0, 0}, {1, 1, 1}}}) {
+      const ConvexHull hull(points, {}, HullTest::conservative);
+      EXPECT_TRUE(keeps(hull, Box{{1, 1, 1}, {2, 2, 2}}));
+      for (unsigned k = 0; k != 3; ++k) {
+        Box box{{0.5F, 0.5F, 0.5F}, {2, 2, 2}};
+        box.lo[k] = 1.5F;
+        EXPECT_FALSE(keeps(hull, box));
+        std::vector<std::uint64_t> kept(2);
+        cull(hull, BoxStream(std::vector<Box>(70, box)), kept);
+        EXPECT_EQ(kept, std::vector<std::uint64_t>(2));
+      }
+    }
+  });
+}
+
 TEST(HullInterface, SpheresOfNegativeRadiusAreOutside) {
   const ConvexHull hull(tetrahedron);
   const std::vector<Sphere> spheres(70, Sphere{{0.8F, 0.8F, 0.8F}, -0.125F});  // deep inside

@@ -113,15 +113,18 @@ void make_shafts(Random& random, Shafts& shafts) {
     add(shafts.hulls.back().compiled());
   };
   using None = const float*;
-  add_hull(made<HullHandle>(shaftcull_hull_create, corner_floats.data(), std::uint64_t{7}, None(), std::uint64_t{0}),
+  add_hull(made<HullHandle>(shaftcull_hull_create, corner_floats.data(), std::uint64_t{7}, None(), std::uint64_t{0},
+                            std::uint32_t{SHAFTCULL_HULL_EXACT}),
            ConvexHull(corners));
   add_hull(made<HullHandle>(shaftcull_hull_create, corner_floats.data(), std::uint64_t{6}, &corner_floats[18],
-                            std::uint64_t{1}),
-           ConvexHull(std::span(corners).first(6), std::span(corners).last(1)));
+                            std::uint64_t{1}, std::uint32_t{SHAFTCULL_HULL_CONSERVATIVE}),
+           ConvexHull(std::span(corners).first(6), std::span(corners).last(1), HullTest::conservative));
   const HullHandle view =
-      made<HullHandle>(shaftcull_hull_of_frustum, &matrix[0], std::uint32_t{SHAFTCULL_DEPTH_MINUS_ONE_TO_ONE});
-  add_hull(made<HullHandle>(shaftcull_hull_of_frustum, &matrix[0], std::uint32_t{SHAFTCULL_DEPTH_ZERO_TO_ONE}),
-           frustum(matrix, ClipDepth::zero_to_one));
+      made<HullHandle>(shaftcull_hull_of_frustum, &matrix[0], std::uint32_t{SHAFTCULL_DEPTH_MINUS_ONE_TO_ONE},
+                       std::uint32_t{SHAFTCULL_HULL_EXACT});
+  add_hull(made<HullHandle>(shaftcull_hull_of_frustum, &matrix[0], std::uint32_t{SHAFTCULL_DEPTH_ZERO_TO_ONE},
+                            std::uint32_t{SHAFTCULL_HULL_CONSERVATIVE}),
+           frustum(matrix, ClipDepth::zero_to_one, HullTest::conservative));
   const ConvexHull same_view = frustum(matrix, ClipDepth::minus_one_to_one);
   add_hull(made<HullHandle>(shaftcull_hull_of_casters, view.get(), vectors[3].data()), casters(same_view, vectors[3]));
   add_hull(made<HullHandle>(shaftcull_hull_of_casters_towards, view.get(), vectors[3].data()),

@@ -117,7 +117,7 @@ static void values(void) {
 
 static void hulls(void) {
   shaftcull_hull* hull = NULL;
-  OK(shaftcull_hull_create(corners, 8, down, 1, &hull));
+  OK(shaftcull_hull_create(corners, 8, down, 1, SHAFTCULL_HULL_CONSERVATIVE, &hull));
   shaftcull_hull_info info;
   OK(shaftcull_hull_describe(hull, &info));
   CHECK(info.box.lo[1] == -INFINITY && info.box.hi[1] == 9 && info.point_count == 8 && info.direction_count == 1);
@@ -127,9 +127,9 @@ static void hulls(void) {
   shaftcull_hull_free(hull);
   shaftcull_hull_free(NULL);
   shaftcull_hull* view = NULL;
-  OK(shaftcull_hull_of_frustum(matrix, SHAFTCULL_DEPTH_ZERO_TO_ONE, &view));
+  OK(shaftcull_hull_of_frustum(matrix, SHAFTCULL_DEPTH_ZERO_TO_ONE, SHAFTCULL_HULL_EXACT, &view));
   shaftcull_hull_free(view);
-  OK(shaftcull_hull_of_frustum(matrix, SHAFTCULL_DEPTH_MINUS_ONE_TO_ONE, &view));
+  OK(shaftcull_hull_of_frustum(matrix, SHAFTCULL_DEPTH_MINUS_ONE_TO_ONE, SHAFTCULL_HULL_CONSERVATIVE, &view));
   OK(shaftcull_hull_of_casters(view, lamp.hi, &hull));
   OK(shaftcull_hull_describe(hull, &info));
   CHECK(info.point_count == 9 && info.direction_count == 0 && info.directions == NULL);
@@ -137,14 +137,16 @@ static void hulls(void) {
   OK(shaftcull_hull_of_casters_towards(view, down, &hull));
   shaftcull_hull_free(hull);
   hull = NULL;
-  REFUSED(shaftcull_hull_create(NULL, 0, NULL, 0, &hull), "point");
-  REFUSED(shaftcull_hull_create(NULL, 8, NULL, 0, &hull), "points is NULL");
-  REFUSED(shaftcull_hull_create(corners, 8, NULL, 1, &hull), "directions is NULL");
-  REFUSED(shaftcull_hull_create(corners, 8, nan_vector, 1, &hull), "direction");
-  REFUSED(shaftcull_hull_create(corners, 8, NULL, 0, NULL), "hull is NULL");
-  REFUSED(shaftcull_hull_of_frustum(matrix, 2, &hull), "depth = 2");
-  REFUSED(shaftcull_hull_of_frustum(NULL, 0, &hull), "matrix is NULL");
-  REFUSED(shaftcull_hull_of_frustum(matrix, 0, NULL), "hull is NULL");
+  REFUSED(shaftcull_hull_create(NULL, 0, NULL, 0, 0, &hull), "point");
+  REFUSED(shaftcull_hull_create(NULL, 8, NULL, 0, 0, &hull), "points is NULL");
+  REFUSED(shaftcull_hull_create(corners, 8, NULL, 1, 0, &hull), "directions is NULL");
+  REFUSED(shaftcull_hull_create(corners, 8, nan_vector, 1, 0, &hull), "direction");
+  REFUSED(shaftcull_hull_create(corners, 8, NULL, 0, 0, NULL), "hull is NULL");
+  REFUSED(shaftcull_hull_create(corners, 8, NULL, 0, 2, &hull), "test = 2");
+  REFUSED(shaftcull_hull_of_frustum(matrix, 2, 0, &hull), "depth = 2");
+  REFUSED(shaftcull_hull_of_frustum(matrix, 0, 2, &hull), "test = 2");
+  REFUSED(shaftcull_hull_of_frustum(NULL, 0, 0, &hull), "matrix is NULL");
+  REFUSED(shaftcull_hull_of_frustum(matrix, 0, 0, NULL), "hull is NULL");
   REFUSED(shaftcull_hull_of_casters(NULL, down, &hull), "view is NULL");
   REFUSED(shaftcull_hull_of_casters(view, NULL, &hull), "light is NULL");
   REFUSED(shaftcull_hull_of_casters(view, nan_vector, &hull), "finite");
@@ -171,7 +173,7 @@ static shaftcull_shafts* three_shafts(void) {
   set_between(shafts, 0, &lamp, &table);
   OK(shaftcull_shafts_set_swept_infinite(shafts, 1, 1, &body, down, &floor_plane, 1));
   shaftcull_hull* hull = NULL;
-  OK(shaftcull_hull_create(corners, 8, NULL, 0, &hull));
+  OK(shaftcull_hull_create(corners, 8, NULL, 0, SHAFTCULL_HULL_EXACT, &hull));
   OK(shaftcull_shafts_set_hull(shafts, 2, hull));
   shaftcull_hull_free(hull); /* the array keeps what it needs */
   return shafts;

@@ -14,6 +14,7 @@ _Contact = Literal["closed", "open"]
 _Depth = Literal["zero_to_one", "minus_one_to_one"]
 _Sight = Literal["undecided", "clear", "occluded", "facing_away"]
 _Test = Literal["exact", "vertices"]
+_HullTest = Literal["exact", "conservative"]
 
 _Bits = npt.NDArray[Any]  # of bool, or uint64 if they stay packed
 # These depend on the shape of the shafts, which types do not say.
@@ -198,18 +199,21 @@ class ConvexHull:
 
     points: float32 (n, 3), 1 to 32 with the directions. directions: float32 (m, 3), not 0: the hull has no end
         that way. float64 is a TypeError: a hull of rounded points need not contain the given hull.
+    test: 'exact', or 'conservative': boxes are outside only if they are beyond one face, as in the usual test of a
+        view by its planes. It is quicker, and keeps some boxes beside edges and corners. Casters take that of their view.
 
     Boxes are answered exactly, spheres to the safe side, triangles by their vertices only
     (triangle_test='vertices'). Queries for times and for occluders refuse a hull, and so does open contact.
     """
-    def __init__(self, points: _Floats, directions: _Floats | None = None) -> None: ...
+    def __init__(self, points: _Floats, directions: _Floats | None = None, test: _HullTest = "exact") -> None: ...
     @staticmethod
-    def frustum(matrix: _Floats, depth: _Depth = "zero_to_one") -> ConvexHull:
+    def frustum(matrix: _Floats, depth: _Depth = "zero_to_one", test: _HullTest = "exact") -> ConvexHull:
         """The volume that a view-projection matrix shows: a ConvexHull.
 
         matrix: float32 (4, 4) that maps column vectors: matrix @ (x, y, z, 1) is in clip space. Round a matrix of
             float64 by astype(numpy.float32).
         depth: 'zero_to_one' (Direct3D, Vulkan, Metal) or 'minus_one_to_one' (OpenGL).
+        test: as that of ConvexHull.
 
         TypeError or ValueError for other arguments, and for a matrix that cannot be inverted.
         """
@@ -232,6 +236,9 @@ class ConvexHull:
     @property
     def directions(self) -> npt.NDArray[np.float32]:
         """float32 (m, 3), as given."""
+    @property
+    def test(self) -> str:
+        """'exact' or 'conservative', as given."""
 
 class Bounds:
     """Boxes, spheres or triangles, in a view, a stream or a tree, and the queries that shafts make of them.

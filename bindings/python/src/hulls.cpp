@@ -15,11 +15,18 @@ ClipDepth depth_in(const std::string& depth) {
   throw py::value_error("depth is '" + depth + "'; it must be 'zero_to_one' or 'minus_one_to_one'");
 }
 
-Hull hull_of(const py::object& points, const py::object& directions) {
+HullTest hull_test_in(const std::string& test) {
+  if (test == "exact") return HullTest::exact;
+  if (test == "conservative") return HullTest::conservative;
+  throw py::value_error("test is '" + test + "'; it must be 'exact' or 'conservative'");
+}
+
+Hull hull_of(const py::object& points, const py::object& directions, const std::string& test) {
   const VectorsIn ends = vectors_in(points, "points");
   const VectorsIn ways = directions.is_none() ? VectorsIn{} : vectors_in(directions, "directions");
+  const HullTest by = hull_test_in(test);
   const py::gil_scoped_release release;
-  return std::make_shared<ConvexHull>(ends.vectors, ways.vectors);
+  return std::make_shared<ConvexHull>(ends.vectors, ways.vectors, by);
 }
 
 /// A view-projection matrix, whose 16 floats lie row after row.
@@ -52,24 +59,28 @@ whose objects cast shadows into view, volumes between polygons.
 
 points: float32 (n, 3), 1 to 32 with the directions. directions: float32 (m, 3), not 0: the hull has no end
     that way. float64 is a TypeError: a hull of rounded points need not contain the given hull.
+test: 'exact', or 'conservative': boxes are outside only if they are beyond one face, as in the usual test of a
+    view by its planes. It is quicker, and keeps some boxes beside edges and corners. Casters take that of their view.
 
 Boxes are answered exactly, spheres to the safe side, triangles by their vertices only
 (triangle_test='vertices'). Queries for times and for occluders refuse a hull, and so does open contact.)")
-      .def(py::init(&hull_of), arg("points"), arg("directions") = py::none())
+      .def(py::init(&hull_of), arg("points"), arg("directions") = py::none(), arg("test") = "exact")
       .def_static(
           "frustum",
-          [](const py::object& matrix, const std::string& depth) {
+          [](const py::object& matrix, const std::string& depth, const std::string& test) {
             const py::array_t<float> floats = matrix_in(matrix);
             const ClipDepth in_view = depth_in(depth);
+            const HullTest by = hull_test_in(test);
             const py::gil_scoped_release release;
-            return std::make_shared<ConvexHull>(frustum(sixteen(floats), in_view));
+            return std::make_shared<ConvexHull>(frustum(sixteen(floats), in_view, by));
           },
-          arg("matrix"), arg("depth") = "zero_to_one", R"(
+          arg("matrix"), arg("depth") = "zero_to_one", arg("test") = "exact", R"(
 The volume that a view-projection matrix shows: a ConvexHull.
 
 matrix: float32 (4, 4) that maps column vectors: matrix @ (x, y, z, 1) is in clip space. Round a matrix of
     float64 by astype(numpy.float32).
 depth: 'zero_to_one' (Direct3D, Vulkan, Metal) or 'minus_one_to_one' (OpenGL).
+test: as that of ConvexHull.
 
 TypeError or ValueError for other arguments, and for a matrix that cannot be inverted.)")
       .def(
@@ -95,6 +106,9 @@ towards_sun: float32 (3,), not 0. TypeError or ValueError for others.)")
           "points", [](const ConvexHull& hull) { return rows_of(hull.points()); }, "float32 (n, 3), as given.")
       .def_property_readonly(
           "directions", [](const ConvexHull& hull) { return rows_of(hull.directions()); }, "float32 (m, 3), as given.")
+      .def_property_readonly(
+          "test", [](const ConvexHull& hull) { return hull.test() == HullTest::exact ? "exact" : "conservative"; },
+          "'exact' or 'conservative', as given.")
       .def("__repr__", [](const ConvexHull& hull) {
         return "<shaftcull.ConvexHull of " + std::to_string(hull.points().size()) + " points and " +
                std::to_string(hull.directions().size()) + " directions>";

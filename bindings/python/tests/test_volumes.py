@@ -133,6 +133,8 @@ def test_frusta_see_what_is_in_view():
     assert opengl.box[5] > view.box[5]
     for wrong, match in (
         (lambda: sc.ConvexHull.frustum(VIEW, "reversed"), "'reversed'"),
+        (lambda: sc.ConvexHull.frustum(VIEW, test="quick"), "'quick'.*'exact' or 'conservative'"),
+        (lambda: sc.ConvexHull(np.zeros((1, 3), np.float32), test="quick"), "'quick'.*'exact' or 'conservative'"),
         (lambda: sc.ConvexHull.frustum(VIEW[:3]), r"matrix has shape \(3, 4\)"),
         (lambda: sc.ConvexHull.frustum(np.zeros((4, 4), np.float32)), "invertible|matrix"),
         (lambda: sc.ConvexHull([]), "point"),

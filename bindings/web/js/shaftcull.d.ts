@@ -32,6 +32,13 @@ export type Contact = 'closed' | 'open';
 /** Which depths in clip space are in view: `zero_to_one` as in WebGPU, `minus_one_to_one` as in WebGL. */
 export type ClipDepth = 'zero_to_one' | 'minus_one_to_one';
 
+/**
+ * How hulls cull boxes. `exact`: boxes are outside iff they have no point in common with the hull. `conservative`: iff
+ * they are beyond one face of it, as in the usual test of a view by its planes. That is quicker, and keeps some boxes
+ * beside edges and corners.
+ */
+export type HullTest = 'exact' | 'conservative';
+
 /** The form of a shaft that decides which boxes and spheres are outside: `slab` is faster, `planes` the paper's. */
 export type Form = 'slab' | 'planes';
 
@@ -124,12 +131,12 @@ export interface Shaftcull {
    */
   concatenate(parts: readonly Volume[]): Shafts;
   /** The convex hull of points, and of what lies from them along directions; at most 32 of both, 3 floats each. */
-  hull(points: Floats, directions?: Floats): Hull;
+  hull(points: Floats, directions?: Floats, options?: {test?: HullTest}): Hull;
   /**
    * What a view-projection matrix shows: 16 floats in the order of WebGL and three.js, column after column. Without a
    * far plane it has no end.
    */
-  frustum(matrix: Floats, depth: ClipDepth): Hull;
+  frustum(matrix: Floats, depth: ClipDepth, options?: {test?: HullTest}): Hull;
   /** What can cast a shadow into view by a light at a point of 3 floats. */
   casters(view: Hull, light: Floats): Hull;
   /** The same by a sun in a direction of 3 floats. */

@@ -123,12 +123,12 @@ class Shaftcull {
     return shafts.concatenate(this.#module, parts);
   }
 
-  hull(points, directions) {
-    return shafts.hull(this.#module, points, directions);
+  hull(points, directions, options) {
+    return shafts.hull(this.#module, points, directions, options);
   }
 
-  frustum(matrix, depth) {
-    return shafts.frustum(this.#module, matrix, depth);
+  frustum(matrix, depth, options) {
+    return shafts.frustum(this.#module, matrix, depth, options);
   }
 
   casters(view, light) {

@@ -299,16 +299,22 @@ export function concatenate(module, parts) {
   });
 }
 
-export function hull(module, points, directions = []) {
-  const [from, along] = [asFloats(points, 3, 'points'), asFloats(directions, 3, 'directions')];
-  return module.scratch((scratch) => new Hull(module, made(module, 'shaftcull_hull_create', scratch.copy(from),
-      BigInt(from.length / 3), scratch.copy(along), BigInt(along.length / 3))));
+/** How a hull culls boxes, as C names it. */
+function hullTest(options) {
+  checkOptions(options, ['test']);
+  return asEnumerator(options.test ?? 'exact', ['exact', 'conservative'], 'test');
 }
 
-export function frustum(module, matrix, depth) {
+export function hull(module, points, directions = [], options = {}) {
+  const [from, along] = [asFloats(points, 3, 'points'), asFloats(directions, 3, 'directions')];
+  return module.scratch((scratch) => new Hull(module, made(module, 'shaftcull_hull_create', scratch.copy(from),
+      BigInt(from.length / 3), scratch.copy(along), BigInt(along.length / 3), hullTest(options))));
+}
+
+export function frustum(module, matrix, depth, options = {}) {
   const {rows, range} = asView(matrix, depth);
   return module.scratch(
-      (scratch) => new Hull(module, made(module, 'shaftcull_hull_of_frustum', scratch.copy(rows), range)));
+      (scratch) => new Hull(module, made(module, 'shaftcull_hull_of_frustum', scratch.copy(rows), range, hullTest(options))));
 }
 
 /** What can cast a shadow into view, by a light at a point or by a sun in a direction. */

@@ -11,7 +11,7 @@ const boxes: Floats = roundOutwards([0, 0, 0, 1, 1, 1]);
 const tree: BoxTree = shaftcull.boxTree(boxes);
 const shafts: Shafts = shaftcull.between(boxes, [2, 2, 2, 3, 3, 3], {contact: 'open', pairs: [0, 0]});
 shaftcull.shadow(boxes, boxes, {planes: [], planesLights: [], planesOccluders: [], contact: 'open', reach: 2});
-const view: Hull = shaftcull.frustum(new Float32Array(16), 'zero_to_one');
+const view: Hull = shaftcull.frustum(new Float32Array(16), 'zero_to_one', {test: 'conservative'});
 const every: readonly Bounds[] = [tree, shaftcull.sphereStream([]), shaftcull.triangleTree([], [])];
 export const numbers: number[] = every.map((bounds) => bounds.count(view) + bounds.list(shafts, {at: 1}).length);
 export const first: number | undefined = tree.firstContact(shafts)?.time;

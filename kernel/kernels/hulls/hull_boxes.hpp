@@ -17,9 +17,31 @@ SHAFTCULL_COLD std::uint64_t hull_outside_by_predicate(const HullData& hull, con
                          [&](unsigned lane) { return hull_box_outside(hull, BoundAt<L, 6>(stream, at + lane).value); });
 }
 
+/// Bits of the boxes of the word at `at` that are empty, or `by_box` do not meet the hull's box.
+template <class L, bool by_box>
+SHAFTCULL_ALWAYS_INLINE [[nodiscard]] inline std::uint64_t hull_box_word(const HullData& hull,
+                                                                         const float* const* stream,
+                                                                         std::size_t at) noexcept {
+  std::uint64_t outside = 0;
+  for (unsigned lane = 0; lane < word_bits; lane += L::width) {
+    const auto is_outside = [&](unsigned k) {
+      const auto lo = L::load(stream[k] + at + lane);
+      const auto hi = L::load(stream[k + 3] + at + lane);
+      auto is_beyond = L::less(hi, lo);
+      if constexpr (by_box) {
+        is_beyond =
+            L::either(is_beyond, L::either(L::less(hi, L::all(hull.box[k])), L::less(L::all(hull.box[k + 3]), lo)));
+      }
+      return is_beyond;
+    };
+    outside |= L::bits(L::either(L::either(is_outside(0), is_outside(1)), is_outside(2))) << lane;
+  }
+  return outside;
+}
+
 /// Bits of the boxes of the word at `at` that are beyond a face of the hull that is apart from others, or an edge that
-/// is a face.
-template <class L, bool bounded>
+/// is a face; of a conservative hull, which has no second stage, those that hull_box_word() finds as well.
+template <class L, bool bounded, bool conservative>
 SHAFTCULL_ALWAYS_INLINE [[nodiscard]] inline std::uint64_t hull_faces_word(const HullData& hull,
                                                                            const float* const* stream,
                                                                            std::size_t at) noexcept {
@@ -45,6 +67,12 @@ SHAFTCULL_ALWAYS_INLINE [[nodiscard]] inline std::uint64_t hull_faces_word(const
   undecided &= ~outside;
   if (undecided != 0) [[unlikely]]
     outside |= hull_outside_by_predicate<L>(hull, stream, at, undecided);
+  if constexpr (conservative) {
+    if (~outside != 0) {
+      outside |=
+          hull.culls_by_box ? hull_box_word<L, true>(hull, stream, at) : hull_box_word<L, false>(hull, stream, at);
+    }
+  }
   return outside;
 }
 
@@ -56,11 +84,35 @@ void hull_faces_stage(const HullData& hull, const float* const* stream, std::siz
     if (!hull.suits_floats) {
       kept[w] = ~hull_outside_by_predicate<L>(hull, stream, position(w), ~std::uint64_t{0});
     } else if (hull.is_bounded) {
-      kept[w] = ~hull_faces_word<L, true>(hull, stream, position(w));
+      kept[w] = ~hull_faces_word<L, true, false>(hull, stream, position(w));
     } else {
-      kept[w] = ~hull_faces_word<L, false>(hull, stream, position(w));
+      kept[w] = ~hull_faces_word<L, false, false>(hull, stream, position(w));
     }
   }
+}
+
+/// The only stage of a conservative hull that floats suit.
+template <class L, class Words>
+void conservative_stage(const HullData& hull, const float* const* stream, std::size_t words, std::uint64_t* kept,
+                        const Words& position) noexcept {
+  for (std::size_t w = 0; w < words; ++w) {
+    kept[w] = ~(hull.is_bounded ? hull_faces_word<L, true, true>(hull, stream, position(w))
+                                : hull_faces_word<L, false, true>(hull, stream, position(w)));
+  }
+}
+
+/// Whether one stage decides.
+[[nodiscard]] inline bool has_one_stage(const HullData& hull) noexcept {
+  return hull.is_conservative || !hull.suits_floats;
+}
+
+/// That stage, or the first one.
+template <class L, class Words>
+void first_hull_stage(const HullData& hull, const float* const* stream, std::size_t words, std::uint64_t* kept,
+                      const Words& position) noexcept {
+  if (hull.is_conservative && hull.suits_floats) [[unlikely]]
+    return conservative_stage<L>(hull, stream, words, kept, position);
+  hull_faces_stage<L>(hull, stream, words, kept, position);
 }
 
 /// Which boxes of some vectors are beyond the hull's box, an edge or another face, or empty. Returns the lanes that are
@@ -100,7 +152,6 @@ SHAFTCULL_ALWAYS_INLINE [[nodiscard]] inline std::uint64_t hull_edges_vectors(co
 template <class L>
 void hull_edges_stage(const HullData& hull, const float* const* stream, std::size_t words,
                       std::uint64_t* kept) noexcept {
-  if (!hull.suits_floats) return;  // all is decided
   for (std::size_t w = 0; w < words; ++w) {
     std::uint64_t undecided = 0;
     const auto test = [&]<unsigned vectors>(unsigned lane) {

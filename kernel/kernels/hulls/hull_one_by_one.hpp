@@ -5,6 +5,7 @@
 #include <cfloat>
 #include <cmath>
 #include <cstdint>
+#include <type_traits>
 
 #include "compiled/hull_data.hpp"
 #include "exact/convex_hull.hpp"
@@ -32,12 +33,12 @@ struct DepthLanes {
   [[nodiscard]] bool all_behind() const noexcept { return L::bits(L::less(L::all(0.0F), least)) == lanes_of<L>(0); }
 };
 
-/// Calls visit(group, lane) for every vector of planes of a hull.
+/// Calls visit(group, lane) for the vectors of planes in lanes [first, last) of the groups of a hull.
 template <class L, class Visit>
-SHAFTCULL_ALWAYS_INLINE inline void for_each_plane_vector(const HullData& hull, const Visit& visit) noexcept {
+SHAFTCULL_ALWAYS_INLINE inline void for_each_plane_vector(const HullData& hull, unsigned first, unsigned last,
+                                                          const Visit& visit) noexcept {
   using Group = HullData::PlaneGroup;
-  const unsigned planes = hull.faces + hull.edges;
-  for (unsigned p = 0; p < planes; p += L::width) visit(hull.group[p / Group::planes], p % Group::planes);
+  for (unsigned p = first; p < last; p += L::width) visit(hull.group[p / Group::planes], p % Group::planes);
 }
 
 /// How a box lies to the box around a hull.
@@ -82,7 +83,7 @@ SHAFTCULL_ALWAYS_INLINE inline void add_one_box(const HullData& hull, const floa
   using Vector = typename L::Vector;
   Vector face[6];
   for (unsigned f = 0; f < 6; ++f) face[f] = L::all(box[f]);
-  for_each_plane_vector<L>(hull, [&](const HullData::PlaneGroup& group, unsigned lane) {
+  const auto visit = [&](const HullData::PlaneGroup& group, unsigned lane, auto culls) {
     Vector near_sum = L::load(group.offset + lane);
     Vector far_sum = near_sum;
     Vector terms = L::load(group.magnitude + lane);
@@ -103,9 +104,19 @@ SHAFTCULL_ALWAYS_INLINE inline void add_one_box(const HullData& hull, const floa
         depths.add(L::add(sum, margin), L::subtract(sum, margin));
       }
     };
-    add(near, near_sum);
+    if constexpr (culls) add(near, near_sum);
     if constexpr (classifies) add(far, far_sum);
+  };
+  for_each_plane_vector<L>(hull, 0, hull.culling_lanes, [&](const HullData::PlaneGroup& group, unsigned lane) {
+    visit(group, lane, std::true_type());
   });
+  if constexpr (classifies) {
+    if (hull.is_conservative) {
+      for_each_plane_vector<L>(
+          hull, hull.culling_lanes, hull.lanes,
+          [&](const HullData::PlaneGroup& group, unsigned lane) { visit(group, lane, std::false_type()); });
+    }
+  }
   if constexpr (bounded) {
     near.least = L::subtract(near.most, L::all(2 * hull_margin));
     far.least = L::subtract(far.most, L::all(2 * hull_margin));
@@ -121,7 +132,7 @@ SHAFTCULL_ALWAYS_INLINE inline void add_one_sphere(const HullData& hull, const f
   const Vector radius = L::all(sphere[3]);
   const Vector more = L::multiply(radius, L::all(1 + hull_radius_slack));
   const Vector less = L::multiply(radius, L::all(1 - hull_radius_slack));
-  for_each_plane_vector<L>(hull, [&](const HullData::PlaneGroup& group, unsigned lane) {
+  for_each_plane_vector<L>(hull, 0, hull.lanes, [&](const HullData::PlaneGroup& group, unsigned lane) {
     const Vector length = L::load(group.length + lane);
     Vector depth = L::load(group.offset + lane);
     Vector terms = L::load(group.magnitude + lane);
@@ -247,7 +258,7 @@ SHAFTCULL_ALWAYS_INLINE [[nodiscard]] inline Answer answer_of_hull_for_box(const
   const BoxInBox in_box = box_in_box<L>(box, hull.box);
   if (!in_box.is_usual || !hull.suits_floats) [[unlikely]]
     return answer_box_by_stages<L>(hull, box);
-  if (!in_box.meets) return Answer::outside;
+  if (!in_box.meets && hull.culls_by_box) return Answer::outside;
   return hull.is_bounded ? answer_one_box<L, true, classifies>(hull, box, in_box.is_within)
                          : answer_one_box<L, false, classifies>(hull, box, in_box.is_within);
 }

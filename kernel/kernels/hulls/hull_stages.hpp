@@ -22,9 +22,10 @@ struct HullStages {
                                             std::uint64_t* kept) noexcept {
     in_whole_words<L>(stream, count, kept, padding_box,
                       [&](const float* const* all, std::size_t words, std::uint64_t* bits) {
-                        hull_faces_stage<L>(hull, all, words, bits, ConsecutiveWords<L>{});
+                        first_hull_stage<L>(hull, all, words, bits, ConsecutiveWords<L>{});
                       });
     if (count % word_bits != 0) kept[count / word_bits] &= first_bits(count % word_bits);
+    if (has_one_stage(hull)) return;
     run_on_survivors<L, box_streams>(stream, count, kept,
                                      [&](const float* const* some, std::size_t words, std::uint64_t* bits) {
                                        hull_edges_stage<L>(hull, some, words, bits);

@@ -45,7 +45,8 @@ void run_on_listed_survivors(const float* const* stream, const std::uint32_t* wo
 template <class L>
 SHAFTCULL_NOINLINE void cull_listed_by_hull(const HullData& hull, const float* const* stream, const std::uint32_t* word,
                                             std::size_t words, std::uint64_t* kept) noexcept {
-  hull_faces_stage<L>(hull, stream, words, kept, ListedWords<L>{word});
+  first_hull_stage<L>(hull, stream, words, kept, ListedWords<L>{word});
+  if (has_one_stage(hull)) return;
   run_on_listed_survivors<L, 6>(
       stream, word, words, kept,
       [&](const float* const* some, std::size_t n, std::uint64_t* bits) { hull_edges_stage<L>(hull, some, n, bits); });
