@@ -51,8 +51,8 @@ struct HullData {
   std::uint8_t edges;    ///< behind the faces, with two coordinates each
   std::uint8_t face_edges;  ///< of the edges, those that come first: each is a face of the hull, too
   std::uint8_t vertices;
-  std::uint8_t points;  ///< come first; the other vertices are directions
-  Plane plane[most_faces + most_edges];
+  std::uint8_t points;                   ///< come first; the other vertices are directions
+  Plane plane[most_faces + most_edges];  ///< and so many vertices; what is behind them says nothing
   float vertex[most_vertices][3];
   /// Planes: first those that boxes are culled by, which are all or fill groups of their own. Groups behind the last
   /// plane are not written.

@@ -138,12 +138,6 @@ SpannedPlane plane_through(const HullData& hull, const std::uint8_t (&vertices)[
   return {point, u, v};
 }
 
-ProjectedLine::ProjectedLine(const HullData& hull, unsigned axis, unsigned from, unsigned to) noexcept
-    : i((axis + 1) % 3),
-      j((axis + 2) % 3),
-      point{hull.vertex[from][i], hull.vertex[from][j]},
-      along{step_between(hull, from, to, i), step_between(hull, from, to, j)} {}
-
 bool hull_box_outside(const HullData& hull, const float (&bound)[6]) noexcept {
   if (!hull.is_conservative) return box_misses_hull(hull, bound);
   for (unsigned k = 0; k < 3; ++k) {

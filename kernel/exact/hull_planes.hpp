@@ -25,7 +25,11 @@ struct ProjectedLine {
   double point[2];
   Step along[2];
 
-  ProjectedLine(const HullData& hull, unsigned axis, unsigned from, unsigned to) noexcept;
+  ProjectedLine(const HullData& hull, unsigned axis, unsigned from, unsigned to) noexcept
+      : i(axis == 2 ? 0 : axis + 1),
+        j(axis == 0 ? 2 : axis - 1),
+        point{hull.vertex[from][i], hull.vertex[from][j]},
+        along{step_between(hull, from, to, i), step_between(hull, from, to, j)} {}
 
   /// Sign of the side of the line on which (x, y) is, x on axis i and y on axis j: positive to its right.
   [[nodiscard]] int side(double x, double y) const noexcept {

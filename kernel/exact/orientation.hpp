@@ -44,13 +44,16 @@ inline int determinant_sign(const Step& a, const Step& b, const Step& c, const S
   return determinant<Expansion<2>>(a, b, c, d).sign();
 }
 
+/// Whether a difference of two products of differences of floats, each rounded, is off by 2⁻³⁰ of itself at most. The
+/// products amount to `size` together, and the difference is off by 8 · 2⁻⁵³ of that.
+inline bool is_well_rounded(double difference, double size) noexcept { return std::fabs(difference) > 0x1p-19 * size; }
+
 /// a · d − b · c, off by 2⁻³⁰ of itself at most; 0 only if it is 0.
 inline double nearly_determinant(const Step& a, const Step& b, const Step& c, const Step& d) noexcept {
   const double left = a.rounded() * d.rounded();
   const double right = b.rounded() * c.rounded();
   const double difference = left - right;
-  // It is off by 8 · 2⁻⁵³ of both products.
-  if (std::fabs(difference) > 0x1p-19 * (std::fabs(left) + std::fabs(right))) return difference;
+  if (is_well_rounded(difference, std::fabs(left) + std::fabs(right))) return difference;
   const auto exact = determinant<Expansion<2>>(a, b, c, d);
   double sum = 0;
   for (std::size_t i = 0; i < exact.size(); ++i) sum += exact[i];  // smallest first

@@ -97,9 +97,12 @@ void SmallHull::add(unsigned vertex) noexcept {
   unsigned edges = 0;
   for (std::uint64_t left = seen; left != 0; left &= left - 1) {
     const Triangle& triangle = triangle_[std::countr_zero(left)];
+    const auto second = triangle.vertex[triangle.sign > 0 ? 1 : 2];
+    const auto third = triangle.vertex[triangle.sign > 0 ? 2 : 1];
+    const std::uint8_t corner[4] = {triangle.vertex[0], second, third, triangle.vertex[0]};
     for (unsigned i = 0; i < 3; ++i) {
-      const std::uint8_t from = triangle.vertex[i];
-      const std::uint8_t to = triangle.vertex[i == 2 ? 0 : i + 1];
+      const std::uint8_t from = corner[i];
+      const std::uint8_t to = corner[i + 1];
       const unsigned across = left_of_[to][from];
       if ((seen >> across & 1U) != 0) continue;
       // If the vertex is in the plane across, it extends that. If not, others in the new plane are on the edge.
@@ -141,22 +144,30 @@ std::uint64_t SmallHull::seen_from(unsigned vertex) noexcept {
 }
 
 int SmallHull::exact_side(unsigned t, unsigned vertex) const noexcept {
-  const auto& from = triangle_[t].vertex[0];
-  return plane_through(hull_, triangle_[t].vertex)
-      .sign_along({step_between(hull_, from, vertex, 0), step_between(hull_, from, vertex, 1),
-                   step_between(hull_, from, vertex, 2)});
+  const Triangle& triangle = triangle_[t];
+  const unsigned from = triangle.vertex[0];
+  return triangle.sign * plane_through(hull_, triangle.vertex)
+                             .sign_along({step_between(hull_, from, vertex, 0), step_between(hull_, from, vertex, 1),
+                                          step_between(hull_, from, vertex, 2)});
 }
 
 /// Writes a triangle. Its vertices are counterclockwise as seen from outside.
 void SmallHull::set(unsigned t, unsigned a, unsigned b, unsigned c, VertexSet in_plane) noexcept {
   left_of_[a][b] = left_of_[b][c] = left_of_[c][a] = static_cast<std::uint8_t>(t);
-  for (int i = 0; i < 2 && a >= hull_.points; ++i) {  // a point first
-    const unsigned turned = a;
-    a = b;
-    b = c;
-    c = turned;
-  }
-  triangle_[t] = {{static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b), static_cast<std::uint8_t>(c)}, in_plane};
+  double sign = 1;
+  const auto order = [&](unsigned& less, unsigned& more) {  // two that change places turn the normal round
+    const bool is_swapped = less > more;
+    const unsigned least = std::min(less, more);
+    more = std::max(less, more);
+    less = least;
+    sign = is_swapped ? -sign : sign;
+  };
+  order(a, b);
+  order(b, c);
+  order(a, b);
+  triangle_[t] = {{static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b), static_cast<std::uint8_t>(c)},
+                  static_cast<std::int8_t>(sign),
+                  in_plane};
   if (a >= hull_.points) {  // all points are behind for certain, and directions are not in front
     for (auto& component : normal_) component[t] = 0;
     offset_[t] = 1;
@@ -170,20 +181,24 @@ void SmallHull::set(unsigned t, unsigned a, unsigned b, unsigned c, VertexSet in
     v[k] = step_between(hull_, a, c, k).rounded();
   }
   double offset = 0;
-  double size = 0;
+  double error = 0;
+  unsigned cancelled = 0;
   for (unsigned k = 0; k < 3; ++k) {
     const unsigned i = k == 2 ? 0 : k + 1;
     const unsigned j = k == 0 ? 2 : k - 1;
     const double left = u[i] * v[j];
     const double right = u[j] * v[i];
     const double normal = left - right;
-    normal_[k][t] = normal;
+    const double size = std::fabs(left) + std::fabs(right);
+    normal_[k][t] = sign * normal;
+    cancelled |= static_cast<unsigned>(!is_well_rounded(normal, size)) << k;
     offset += normal * position_[a][k];
-    size += (std::fabs(left) + std::fabs(right)) * extent_[k];
+    error += size * extent_[k];
   }
-  offset_[t] = offset;
+  offset_[t] = sign * offset;
   // Up to the product with a coordinate, a term rounds 6 times; sums and the difference make it 9, and the offset too.
-  error_[t] = 0x1p-48 * size;
+  error_[t] = 0x1p-48 * error;
+  cancelled_[t] = static_cast<std::uint8_t>(cancelled);
 }
 
 /// Puts the last triangle in the place of one that is gone.
@@ -194,8 +209,9 @@ void SmallHull::remove(unsigned t) noexcept {
   for (auto& component : normal_) component[t] = component[last];
   offset_[t] = offset_[last];
   error_[t] = error_[last];
-  const std::uint8_t(&vertex)[3] = triangle_[t].vertex;
-  for (unsigned i = 0; i < 3; ++i) left_of_[vertex[i]][vertex[(i + 1) % 3]] = static_cast<std::uint8_t>(t);
+  cancelled_[t] = cancelled_[last];
+  const Triangle& moved = triangle_[t];
+  for (unsigned i = 0; i < 3; ++i) left_of_[moved.corner(i)][moved.corner((i + 1) % 3)] = static_cast<std::uint8_t>(t);
 }
 
 }  // namespace shaftcull::kernel

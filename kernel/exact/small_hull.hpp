@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "compiled/hull_data.hpp"
+#include "exact/hull_planes.hpp"
 
 namespace shaftcull::kernel {
 
@@ -22,8 +23,12 @@ class SmallHull {
   static constexpr unsigned most_triangles = 2 * HullData::most_vertices - 4;
 
   struct Triangle {
-    std::uint8_t vertex[3];  ///< counterclockwise as seen from outside; the first is a point, if any is
+    std::uint8_t vertex[3];  ///< in order, so the first is a point, if any is
+    std::int8_t sign;        ///< 1 if they are counterclockwise as seen from outside, else −1
     VertexSet in_plane;      ///< all vertices of the hull in its plane, so triangles in one plane have the same set
+
+    /// Vertex i of the three, counterclockwise.
+    [[nodiscard]] unsigned corner(unsigned i) const noexcept { return vertex[sign > 0 || i == 0 ? i : 3 - i]; }
   };
 
   /// Triangulates a hull by its vertices and points. O(n²).
@@ -36,6 +41,12 @@ class SmallHull {
   [[nodiscard]] const Triangle& operator[](unsigned t) const noexcept { return triangle_[t]; }
   /// Whether a triangle has nothing but directions.
   [[nodiscard]] bool is_at_infinity(unsigned t) const noexcept { return triangle_[t].vertex[0] >= hull_.points; }
+  /// Component k of the normal of a triangle that is not at infinity, to its front: outwards for sign 1. As that of
+  /// SpannedPlane by its vertices.
+  [[nodiscard]] double normal(unsigned t, unsigned k) const noexcept {
+    if ((cancelled_[t] >> k & 1U) != 0) return plane_through(hull_, triangle_[t].vertex).normal(k);
+    return triangle_[t].sign * normal_[k][t];
+  }
   /// The triangle around which the edge runs counterclockwise.
   [[nodiscard]] unsigned left_of(unsigned from, unsigned to) const noexcept { return left_of_[from][to]; }
 
@@ -61,10 +72,11 @@ class SmallHull {
   /// A point less the first one, or a direction, in doubles.
   double position_[HullData::most_vertices][3];
   double extent_[3];  ///< no position is larger
-  /// normal · position − offset of triangles, in doubles, and what it may be off by.
+  /// normal · position − offset of triangles, in doubles, and what it may be off by. Normals point outwards.
   double normal_[3][most_triangles];
   double offset_[most_triangles];
   double error_[most_triangles];
+  std::uint8_t cancelled_[most_triangles];  ///< bit k if doubles do not say component k of the normal well enough
 };
 
 }  // namespace shaftcull::kernel

@@ -30,7 +30,14 @@ struct ConvexHull::Parts {
 
 namespace {
 
+bool is_finite(const Vec3& v) noexcept {
+  constexpr float largest = std::numeric_limits<float>::max();
+  return std::fabs(v[0]) <= largest && std::fabs(v[1]) <= largest && std::fabs(v[2]) <= largest;
+}
+
 void require_finite(const char* what, std::size_t i, const Vec3& v) {
+  if (is_finite(v)) [[likely]]
+    return;
   for (std::size_t k = 0; k != 3; ++k) {
     if (std::isfinite(v[k])) continue;
     kernel::fail(InvalidArgument(std::string("ConvexHull: ") + what + " " + std::to_string(i) + ": " + "xyz"[k] +
@@ -67,6 +74,7 @@ void add_different(HullData& hull, std::span<const Vec3> vertices) noexcept {
 
 /// The vertices of a hull: points first, and none twice.
 void fill(HullData& hull, std::span<const Vec3> points, std::span<const Vec3> directions) noexcept {
+  hull.vertices = 0;
   add_different(hull, points);
   hull.points = hull.vertices;
   add_different(hull, directions);
@@ -99,7 +107,7 @@ ConvexHull::ConvexHull(std::span<const Vec3> points, std::span<const Vec3> direc
       kernel::fail(InvalidArgument("test = " + std::to_string(static_cast<unsigned>(test)) +
                                    " is neither HullTest::exact nor HullTest::conservative"));
     }
-    parts_ = std::make_unique<Parts>();
+    parts_ = std::make_unique_for_overwrite<Parts>();
     parts_->points = points.size();
     parts_->vertices = points.size() + directions.size();
     std::copy(directions.begin(), directions.end(), std::copy(points.begin(), points.end(), parts_->vertex.begin()));

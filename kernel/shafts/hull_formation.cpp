@@ -24,7 +24,9 @@ VertexSet without_first(VertexSet vertices) noexcept { return vertices & (vertic
 class PlanesOfTriangles {
  public:
   PlanesOfTriangles(HullData& hull, const SmallHull& mesh) noexcept : hull_(hull), mesh_(mesh), writer_(hull) {
+    face_[no_face].along = face_[no_face].against = 0;
     for (unsigned t = 0; t < mesh_.count(); ++t) {
+      face_of_[t] = no_face;
       if (!mesh_.is_at_infinity(t)) take_face(t);
     }
     for (unsigned t = 0; t < mesh_.count(); ++t) take_edges(t);
@@ -36,11 +38,11 @@ class PlanesOfTriangles {
  private:
   struct Face {
     std::uint8_t vertex[3];
-    std::int8_t sign;
+    std::int8_t sign;  ///< 1 if the normal, theirs, points outwards
     double normal[3];
+    unsigned along;  ///< bit k if component k of the normal is positive outwards
+    unsigned against;
 
-    /// Sign of component k of the normal that points outwards.
-    [[nodiscard]] int side(unsigned k) const noexcept { return normal[k] == 0 ? 0 : normal[k] > 0 ? sign : -sign; }
     [[nodiscard]] std::uint32_t place() const noexcept {
       return std::uint32_t{vertex[0]} << 10U | std::uint32_t{vertex[1]} << 5U | vertex[2];
     }
@@ -66,16 +68,25 @@ class PlanesOfTriangles {
     const auto number = static_cast<std::uint8_t>(faces_++);
     face_of_[t] = number;
     Face& face = face_[number];
-    std::copy_n(triangle.vertex, 3, face.vertex);
-    face.sign = 1;
     if (is_alone) {
-      sort(face);
-      take_normal(face);
+      std::copy_n(triangle.vertex, 3, face.vertex);
+      face.sign = triangle.sign;
+      for (unsigned k = 0; k < 3; ++k) face.normal[k] = mesh_.normal(t, k);
     } else {
       span(triangle.in_plane, face);
     }
+    unsigned positive = 0;
+    unsigned negative = 0;
     for (unsigned k = 0; k < 3; ++k) {
-      if (face.normal[k] == 0) take_face_along(face, triangle.in_plane, k);
+      positive |= static_cast<unsigned>(face.normal[k] > 0) << k;
+      negative |= static_cast<unsigned>(face.normal[k] < 0) << k;
+    }
+    face.along = face.sign > 0 ? positive : negative;
+    face.against = face.sign > 0 ? negative : positive;
+    const unsigned oblique = face.along | face.against;
+    if (oblique == 7) return;
+    for (unsigned k = 0; k < 3; ++k) {
+      if ((oblique | 1U << k) == 7) take_face_along(face, triangle.in_plane, k);  // else a face of the box
     }
   }
 
@@ -84,23 +95,6 @@ class PlanesOfTriangles {
     unsigned same = 0;
     while (same != t && (mesh_.is_at_infinity(same) || mesh_[same].in_plane != in_plane)) ++same;
     return same;
-  }
-
-  /// Puts the vertices of a face in order. Each two that change places turn its normal round.
-  static void sort(Face& face) noexcept {
-    const auto order = [&](unsigned i, unsigned j) {
-      if (face.vertex[i] < face.vertex[j]) return;
-      std::swap(face.vertex[i], face.vertex[j]);
-      face.sign = static_cast<std::int8_t>(-face.sign);
-    };
-    order(0, 1);
-    order(1, 2);
-    order(0, 1);
-  }
-
-  void take_normal(Face& face) const noexcept {
-    const SpannedPlane plane = plane_through(hull_, face.vertex);
-    for (unsigned k = 0; k < 3; ++k) face.normal[k] = plane.normal(k);
   }
 
   /// Takes the least vertices of a set that are not on a line, and which side of theirs is outside.
@@ -112,7 +106,8 @@ class PlanesOfTriangles {
     do {
       others = without_first(others);
       face.vertex[2] = vertex(first_of(others));
-      take_normal(face);
+      const SpannedPlane plane = plane_through(hull_, face.vertex);
+      for (unsigned k = 0; k < 3; ++k) face.normal[k] = plane.normal(k);
     } while (face.normal[0] == 0 && face.normal[1] == 0 && face.normal[2] == 0);
     const unsigned p = face.vertex[0];
     const unsigned v = first_of(~in_plane);
@@ -121,47 +116,54 @@ class PlanesOfTriangles {
              .sign_along({step_between(hull_, p, v, 0), step_between(hull_, p, v, 1), step_between(hull_, p, v, 2)}));
   }
 
-  /// A face that contains a line along an axis is an edge, unless it is a face of the box.
+  /// A face that contains a line along an axis is an edge. Its normal has no other component that is 0.
   void take_face_along(const Face& face, VertexSet in_plane, unsigned axis) noexcept {
     const unsigned i = (axis + 1) % 3;
     const unsigned j = (axis + 2) % 3;
-    if (face.normal[i] == 0 || face.normal[j] == 0) return;
     const unsigned p = first_of(in_plane);
     for (VertexSet others = without_first(in_plane); others != 0; others = without_first(others)) {
       const unsigned q = first_of(others);
       const double across = step_between(hull_, p, q, j).rounded();
       if (across == 0) continue;  // along the axis
-      take_edge(axis, p, q, across > 0 ? face.side(i) : -face.side(i), true);
+      take_edge(axis, p, q, (across > 0) == ((face.along >> i & 1U) != 0), true);
       return;
     }
   }
 
-  /// Edges of a triangle that are outlines along an axis, each once.
+  /// Edges of a triangle that are outlines along an axis: it faces along that, and the triangle across against it.
   void take_edges(unsigned t) noexcept {
+    const SmallHull::Triangle& triangle = mesh_[t];
+    const unsigned along = face_[face_of_[t]].along;
+    const unsigned corner[4] = {triangle.corner(0), triangle.corner(1), triangle.corner(2), triangle.corner(0)};
     for (unsigned e = 0; e < 3; ++e) {
-      const unsigned from = mesh_[t].vertex[e];
-      const unsigned to = mesh_[t].vertex[e == 2 ? 0 : e + 1];
+      const unsigned from = corner[e];
+      const unsigned to = corner[e + 1];
       const unsigned across = mesh_.left_of(to, from);
-      if (across < t || std::min(from, to) >= hull_.points || face_of_[t] == face_of_[across]) continue;
-      const VertexSet on_line = mesh_[t].in_plane & mesh_[across].in_plane;
+      const unsigned p = std::min(from, to);
+      const unsigned q = std::max(from, to);
+      const unsigned axes = p < hull_.points ? along & face_[face_of_[across]].against : 0;  // else it is no line
+      const VertexSet on_line = triangle.in_plane & mesh_[across].in_plane;
+      if (without_first(without_first(on_line)) != 0) [[unlikely]] {
+        for (unsigned axis = 0; axis < 3; ++axis) {
+          if ((axes >> axis & 1U) != 0) take_outline(axis, on_line);
+        }
+        continue;
+      }
+      // No branches: which edges are outlines is hard to foresee. Seen against the axis, the triangle is to the left.
       for (unsigned axis = 0; axis < 3; ++axis) {
-        const int side = face_[face_of_[t]].side(axis);
-        if (side * face_[face_of_[across]].side(axis) < 0) take_outline(axis, from, to, side, on_line);
+        const VertexSet bit = VertexSet{axes >> axis & 1U} << q;
+        edges_[axis][p].to |= bit;
+        edges_[axis][p].positive |= from < to ? bit : 0;
       }
     }
   }
 
-  /// Takes an edge of a triangle that faces along an axis on side 1, and against it on −1.
-  void take_outline(unsigned axis, unsigned from, unsigned to, int side, VertexSet on_line) noexcept {
+  /// Takes an outline with more than two vertices. It may have been taken.
+  void take_outline(unsigned axis, VertexSet on_line) noexcept {
     const unsigned p = first_of(on_line);
     const unsigned q = first_of(without_first(on_line));
-    // Seen against the axis, the triangle is to the left of its edge.
-    int sign = from < to ? side : -side;
-    if (without_first(without_first(on_line)) != 0) {
-      const ProjectedLine line(hull_, axis, p, q);
-      sign = -line.side_of(hull_, first_beside(line, on_line));
-    }
-    take_edge(axis, p, q, sign, false);
+    const ProjectedLine line(hull_, axis, p, q);
+    take_edge(axis, p, q, line.side_of(hull_, first_beside(line, on_line)) < 0, false);
   }
 
   /// The first vertex that is not on a line, whose vertices are among some.
@@ -171,11 +173,11 @@ class PlanesOfTriangles {
     return first_of(others);
   }
 
-  void take_edge(unsigned axis, unsigned p, unsigned q, int sign, bool is_face) noexcept {
+  void take_edge(unsigned axis, unsigned p, unsigned q, bool is_positive, bool is_face) noexcept {
     Edges& edges = edges_[axis][p];
     const VertexSet bit = VertexSet{1} << q;
     edges.to |= bit;
-    if (sign > 0) edges.positive |= bit;
+    if (is_positive) edges.positive |= bit;
     if (is_face) edges.is_face |= bit;
   }
 
@@ -183,8 +185,7 @@ class PlanesOfTriangles {
     std::uint32_t order[SmallHull::most_triangles];  // by vertices, then the number
     unsigned count = 0;
     for (unsigned f = 0; f < faces_; ++f) {
-      const double(&normal)[3] = face_[f].normal;
-      if (normal[0] != 0 && normal[1] != 0 && normal[2] != 0) order[count++] = face_[f].place() << 6U | f;
+      if ((face_[f].along | face_[f].against) == 7) order[count++] = face_[f].place() << 6U | f;
     }
     std::sort(order, order + count);
     for (unsigned i = 0; i < count; ++i) {
@@ -209,7 +210,8 @@ class PlanesOfTriangles {
   const SmallHull& mesh_;
   HullPlaneWriter writer_;
   unsigned faces_ = 0;
-  Face face_[SmallHull::most_triangles];
+  static constexpr std::uint8_t no_face = SmallHull::most_triangles;  ///< of triangles at infinity
+  Face face_[SmallHull::most_triangles + 1];
   std::uint8_t face_of_[SmallHull::most_triangles];
   Edges edges_[3][HullData::most_vertices];
 };

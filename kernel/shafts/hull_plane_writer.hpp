@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
+#include <utility>
 
 #include "compiled/hull_data.hpp"
 #include "exact/hull_planes.hpp"
@@ -15,33 +16,40 @@
 
 namespace shaftcull::kernel {
 
-/// A normal in doubles, with the axes of its coordinates.
-struct HullNormal {
-  unsigned coordinates;
-  unsigned axis[3];
-  double component[3];
-};
-
 /// Writes planes behind those that a hull has. Faces come first.
 class HullPlaneWriter {
  public:
   /// A writer for a hull that has its box.
-  explicit HullPlaneWriter(HullData& hull) noexcept : hull_(hull) {}
+  explicit HullPlaneWriter(HullData& hull) noexcept : hull_(hull) {
+    for (unsigned k = 0; k < 3; ++k) {
+      const double lo = hull.box[k];
+      const double hi = hull.box[k + 3];
+      largest_[k] = std::max(std::fabs(lo), std::fabs(hi));
+      width_[k] = hi - lo;
+    }
+  }
 
   /// Writes the plane of a face through three vertices. Its outward normal is theirs for sign 1, and the opposite for
   /// −1. No component is 0.
   void add_face(const std::uint8_t (&vertices)[3], const double (&normal)[3], int sign) noexcept {
-    add(hull_.faces++, {3, {0, 1, 2}, {normal[0], normal[1], normal[2]}}, sign, vertices, 3);
+    HullData::Plane& plane = hull_.plane[hull_.faces++];
+    std::copy_n(vertices, 3, plane.vertices);
+    plane.axis = 3;
+    write<3>(plane, {0, 1, 2}, normal, sign);
   }
 
-  /// Writes the plane of an edge along an axis, through two vertices. Edges that are faces, too, come first. Does
-  /// nothing for a line along another axis: it is a face of the box.
+  /// Writes the plane of an oblique edge along an axis, through two vertices. Edges that are faces, too, come first.
   void add_edge(const ProjectedLine& line, unsigned axis, unsigned from, unsigned to, int sign, bool is_face) noexcept {
-    const double normal[2] = {line.along[1].rounded(), -line.along[0].rounded()};
     const unsigned number = hull_.faces + hull_.edges++;
-    add(number, {2, {line.i, line.j, 0}, {normal[0], normal[1], 0}}, sign,
-        {static_cast<std::uint8_t>(from), static_cast<std::uint8_t>(to), 0}, axis);
-    if (is_face) std::swap(hull_.plane[number], hull_.plane[hull_.faces + hull_.face_edges++]);
+    HullData::Plane& plane = hull_.plane[number];
+    plane.vertices[0] = static_cast<std::uint8_t>(from);
+    plane.vertices[1] = static_cast<std::uint8_t>(to);
+    plane.vertices[2] = 0;
+    plane.axis = static_cast<std::uint8_t>(axis);
+    plane.inward[2] = 0;
+    plane.near[2] = 0;
+    write<2>(plane, {line.i, line.j}, {line.along[1].rounded(), -line.along[0].rounded()}, sign);
+    if (is_face) std::swap(plane, hull_.plane[hull_.faces + hull_.face_edges++]);
   }
 
   /// Writes what all planes have in common, when the last one is written.
@@ -54,38 +62,35 @@ class HullPlaneWriter {
   }
 
  private:
-  void add(unsigned number, const HullNormal& outward, int sign, const std::uint8_t (&vertices)[3],
-           unsigned axis) noexcept {
-    HullData::Plane& plane = hull_.plane[number];
-    std::copy_n(vertices, 3, plane.vertices);
-    plane.axis = static_cast<std::uint8_t>(axis);
+  /// Writes a plane that has its vertices, by n components of its normal.
+  template <unsigned n>
+  void write(HullData::Plane& plane, const unsigned (&axis)[n], const double (&normal)[n], int sign) noexcept {
     plane.sign = static_cast<std::int8_t>(sign);
-    const unsigned n = outward.coordinates;
     double largest = 0;
-    for (unsigned i = 0; i < n; ++i) largest = std::max(largest, std::fabs(outward.component[i]));
+    for (unsigned i = 0; i < n; ++i) largest = std::max(largest, std::fabs(normal[i]));
     // A normal with components between 1 and 2, or below, and what its terms may amount to.
     const double scale = -sign * power_of_2(-exponent_of(largest));
+    double inward[n];
     double offset = 0;
     double square = 0;
     double terms = 0;  // of the vertex
     double most = 0;   // terms of any corner of the box
     double widths = 0;
+    double least = 2;
     for (unsigned i = 0; i < n; ++i) {
-      const unsigned k = outward.axis[i];
-      const auto inward = static_cast<float>(outward.component[i] * scale);
-      plane.inward[i] = inward;
+      const unsigned k = axis[i];
+      inward[i] = static_cast<float>(normal[i] * scale);
       // By the sign of the component itself: as a float it may be 0.
-      plane.near[i] = static_cast<std::uint8_t>(sign * outward.component[i] > 0 ? k : k + 3);
-      const double magnitude = std::fabs(static_cast<double>(inward));
-      suits_floats_ &= magnitude >= smallest_component;
-      const double term = static_cast<double>(inward) * hull_.vertex[vertices[0]][k];
+      const bool is_inward = std::signbit(normal[i]) == (sign > 0);
+      plane.near[i] = static_cast<std::uint8_t>(k + 3 * static_cast<unsigned>(is_inward));
+      const double magnitude = std::fabs(inward[i]);
+      least = std::min(least, magnitude);
+      const double term = inward[i] * hull_.vertex[plane.vertices[0]][k];
       offset -= term;
       terms += std::fabs(term);
       square += magnitude * magnitude;
-      const double lo = hull_.box[k];
-      const double hi = hull_.box[k + 3];
-      most += magnitude * std::max(std::fabs(lo), std::fabs(hi));
-      widths += magnitude * (hi - lo);
+      most += magnitude * largest_[k];
+      widths += magnitude * width_[k];
     }
     int exponent = 0;
     double margin = 0;
@@ -94,10 +99,10 @@ class HullPlaneWriter {
       const double error = unit * (17 * widths + 8 * std::fabs(offset) + 5 * most) * 1.02;
       exponent = error == 0 ? 0 : exponent_of(error) + 1;  // of a number below 1, times the error's power of 2
     }
-    suits_floats_ &= std::abs(exponent) < most_exponent && terms < largest_terms;
+    suits_floats_ &= least >= smallest_component && std::abs(exponent) < most_exponent && terms < largest_terms;
     const double back = power_of_2(-exponent);
     for (unsigned i = 0; i < n; ++i) {
-      plane.inward[i] = static_cast<float>(plane.inward[i] * back);
+      plane.inward[i] = static_cast<float>(inward[i] * back);
       largest_component_ = std::max(largest_component_, std::fabs(static_cast<double>(plane.inward[i])));
     }
     plane.offset = static_cast<float>(offset * back + margin);
@@ -122,6 +127,8 @@ class HullPlaneWriter {
   static constexpr double least_magnitude = 0x1p-120;
 
   HullData& hull_;
+  double largest_[3];  ///< coordinate of the box
+  double width_[3];    ///< of the box
   bool suits_floats_ = true;
   double largest_component_ = 0;
 };

@@ -188,7 +188,7 @@ TEST(HullFormation, TrianglesKnowAllVerticesInTheirPlanes) {
   for (unsigned t = 0; t != mesh.count(); ++t) {
     EXPECT_EQ(std::popcount(mesh[t].in_plane), (mesh[t].in_plane >> 8U & 1U) != 0 ? 5 : 4);
     for (unsigned e = 0; e != 3; ++e) {
-      EXPECT_EQ(mesh.left_of(mesh[t].vertex[e], mesh[t].vertex[(e + 1) % 3]), t);
+      EXPECT_EQ(mesh.left_of(mesh[t].corner(e), mesh[t].corner((e + 1) % 3)), t);
     }
   }
 }
