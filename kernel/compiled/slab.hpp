@@ -65,7 +65,12 @@ struct BatchFlags {
 struct TwoFloats {
   float of[2];
 };
-inline constexpr TwoFloats batch_flags = __builtin_bit_cast(TwoFloats, BatchFlags{});
+constexpr TwoFloats flags_of(ShaftData::Kind kind) noexcept {
+  BatchFlags flags;
+  flags.kind = kind;
+  return __builtin_bit_cast(TwoFloats, flags);
+}
+inline constexpr TwoFloats batch_flags = flags_of(ShaftData::Kind::between);
 
 static_assert(offsetof(ShaftData, formed) == offsetof(ShaftData, joining_count) + offsetof(BatchFlags, formed));
 static_assert(offsetof(ShaftData, kind) == offsetof(ShaftData, joining_count) + offsetof(BatchFlags, kind));
@@ -103,6 +108,10 @@ inline constexpr float endless_corner_margin = 4 * float_unit;  // of the start 
 inline constexpr float endless_limit = 0x1p100F;                // coordinates above it, and slopes, have no such form
 inline constexpr float endless_start_limit = 0x1p120F;          // nor have starts above it, as the first face moves,
 inline constexpr float least_endless_scale = 0x1p-120F;         // or faces so much faster than that one
+
+/// How far a box that moves without end is followed for certain acceptances of spheres: so many times its largest
+/// coordinate.
+inline constexpr double endless_followed = 16;
 
 /// The rounding of where a moving box ends adds less than a quarter to the margins of the fused form, and to what
 /// depends on the largest coordinate.

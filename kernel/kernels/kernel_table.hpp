@@ -52,6 +52,11 @@ using AddPlanes = void(const float* const* a, const float* const* b, const Plane
 /// Forms the shaft of one pair of boxes. Returns false, and writes nothing, if a box is not finite with lo ≤ hi.
 using CompilePair = bool(const Box& a, const Box& b, ShaftData& out) noexcept;
 
+/// Forms the shaft of a body, six faces, that moves by or along a vector of three floats; or of an occluder and the
+/// light that it moves away from, six faces each. Returns false if the general way must form it, or refuses it.
+using CompileMoving = bool(const void* body, const float* vector, ShaftData& out) noexcept;
+using CompileShadow = bool(const void* light, const void* occluder, ShaftData& out) noexcept;
+
 /// Tests `words` whole words of bounds, word i being those from stream[·][64 · word[i]] on. Writes their kept bits, and
 /// unless `inside` is null the inside bits of those words that keep `least_kept` bounds or more, zero for the
 /// others. The shaft must have its planes if `inside` is not null or the form or kind of bounds needs them.
@@ -223,6 +228,9 @@ struct Kernels {
   BoxesAroundSpheres* boxes_around_spheres;
   GridKernels grid;
   CompilePair* compile_pair;
+  CompileMoving* compile_swept;
+  CompileMoving* compile_swept_infinite;
+  CompileShadow* compile_endless_shadow;
   CompileBatch* compile_batch;
   CompileFinite* compile_finite;
   AllFinite* all_finite;

@@ -5,6 +5,7 @@
 #include "kernels/blocking/blocking_boxes.hpp"
 #include "kernels/boxes/box_stages.hpp"
 #include "kernels/forming/added_planes.hpp"
+#include "kernels/forming/moving_box.hpp"
 #include "kernels/forming/slab_of_pair.hpp"
 #include "kernels/grid/testing.hpp"
 #include "kernels/kernel_table.hpp"
@@ -94,6 +95,9 @@ inline constexpr Kernels kernels_for = {
     .boxes_around_spheres = boxes_around_spheres<L>,
     .grid = grid_kernels<L>(),
     .compile_pair = compile_pair<FormationLanes>,
+    .compile_swept = compile_swept<FormationLanes>,
+    .compile_swept_infinite = compile_swept_infinite<FormationLanes>,
+    .compile_endless_shadow = compile_endless_shadow<FormationLanes>,
     .compile_batch = compile_pairs<FormationLanes>,
     .compile_finite = compile_finite_pairs<FormationLanes>,
     .all_finite = all_boxes_finite<FormationLanes>,

@@ -40,10 +40,6 @@ using Kind = ShaftData::Kind;
 
 constexpr float largest_float = std::numeric_limits<float>::max();
 
-/// How far a box that moves without end is followed for certain acceptances of spheres: so many times its largest
-/// coordinate.
-constexpr double followed = 16;
-
 /// Eight lanes, one for each face; the last two are of no face. Loops over all of them become vectors.
 using Lanes8 = float[8];
 
@@ -191,7 +187,7 @@ void form_endless(const Movement& movement, ShaftData& shaft) noexcept {
     speed = std::max(speed, std::fabs(slope[f]));
     largest = std::max(largest, std::fabs(double{start[f]}));
   }
-  const double t = (largest == 0 ? speed : followed * largest) / speed;
+  const double t = (largest == 0 ? speed : kernel::endless_followed * largest) / speed;
   Lanes8 end;
   for (unsigned f = 0; f < 8; ++f) end[f] = static_cast<float>(start[f] + t * slope[f]);
   float largest_end = 0;
@@ -277,19 +273,24 @@ Movement shadow_movement(const Box& light, const Box& occluder, float reach) {
   return movement;
 }
 
-/// A call for one shaft.
+/// Forms one shaft of any kind, or throws.
 template <class MovementOf>
-CompiledShaft one(std::span<const Plane> planes, const MovementOf& movement_of) {
-  return kernel::in_float_environment([&] {
-    const Movement movement = movement_of();
-    if (!planes.empty()) kernel::require_planes(planes);
-    CompiledShaft formed;
-    const kernel::Kernels& kernels = kernel::active_kernels();
-    ShaftData& shaft = kernel::data_of(formed);
-    form(kernels, movement, shaft);
-    if (!planes.empty()) kernel::add_planes(kernels, planes, shaft.face, shaft);
-    return formed;
-  });
+SHAFTCULL_NOINLINE void form_any(std::span<const Plane> planes, const MovementOf& movement_of, ShaftData& shaft) {
+  const Movement movement = movement_of();
+  if (!planes.empty()) kernel::require_planes(planes);
+  const kernel::Kernels& kernels = kernel::active_kernels();
+  form(kernels, movement, shaft);
+  if (!planes.empty()) kernel::add_planes(kernels, planes, shaft.face, shaft);
+}
+
+/// A call for one shaft. `quickly` forms it in registers, without planes, unless it returns false.
+template <class Quickly, class MovementOf>
+CompiledShaft one(std::span<const Plane> planes, const Quickly& quickly, const MovementOf& movement_of) {
+  CompiledShaft formed;
+  ShaftData& shaft = kernel::data_of(formed);
+  const kernel::FloatEnvironment environment;  // all in it is behind calls
+  if (!planes.empty() || !quickly(kernel::active_kernels(), shaft)) form_any(planes, movement_of, shaft);
+  return formed;
 }
 
 /// A call for many: movement_of(i) is that of shaft i, which has planes of box a_of(i) and of box b_of(i).
@@ -382,19 +383,35 @@ void shadow_pairs(const BoxView& lights, const BoxView& occluders, std::span<con
 }  // namespace
 
 CompiledShaft swept(const Box& body, const Vec3& displacement, std::span<const Plane> planes) {
-  return one(planes, [&] { return swept_movement(body, displacement); });
+  return one(
+      planes,
+      [&](const kernel::Kernels& kernels, ShaftData& shaft) {
+        return kernels.compile_swept(&body, displacement.data(), shaft);
+      },
+      [&] { return swept_movement(body, displacement); });
 }
 
 CompiledShaft swept_infinite(const Box& body, const Vec3& direction, std::span<const Plane> planes) {
-  return one(planes, [&] { return endless_movement(body, direction); });
+  return one(
+      planes,
+      [&](const kernel::Kernels& kernels, ShaftData& shaft) {
+        return kernels.compile_swept_infinite(&body, direction.data(), shaft);
+      },
+      [&] { return endless_movement(body, direction); });
 }
 
 CompiledShaft shadow(const Box& light, const Box& occluder, std::span<const Plane> planes) {
-  return one(planes, [&] { return shadow_movement(light, occluder); });
+  return one(
+      planes,
+      [&](const kernel::Kernels& kernels, ShaftData& shaft) {
+        return kernels.compile_endless_shadow(&light, &occluder, shaft);
+      },
+      [&] { return shadow_movement(light, occluder); });
 }
 
 CompiledShaft shadow(const Box& light, const Box& occluder, float reach, std::span<const Plane> planes) {
-  return one(planes, [&] { return shadow_movement(light, occluder, reach); });
+  const auto never = [](const kernel::Kernels&, ShaftData&) { return false; };
+  return one(planes, never, [&] { return shadow_movement(light, occluder, reach); });
 }
 
 void swept_batch(const BoxView& bodies, std::span<const Vec3> displacements, std::span<CompiledShaft> out,
