@@ -585,7 +585,7 @@ typedef struct shaftcull_query {
   /// shaftcull_list(), shaftcull_list_many() and shaftcull_list_occluders().
   uint64_t limit;
   shaftcull_triangle_test triangle_test; /* of triangles; 0 for other bounds */
-  uint32_t reserved_word;                /* 0 */
+  uint32_t skip_overlapping;             /* 1: first contact skips bounds that overlap the box at the start; or 0 */
   uint64_t reserved[4];                  /* 0 */
 } shaftcull_query;
 
@@ -623,7 +623,10 @@ SHAFTCULL_API shaftcull_status shaftcull_any(const shaftcull_shafts* shafts, uin
                                              uint64_t* any);
 
 /// Writes the bound that the moving box of each shaft reaches first, and when: `count` elements. Not for hulls, nor for
-/// triangles. Queries about several shafts allocate 8 bytes per shaft.
+/// triangles. Queries about several shafts allocate 8 bytes per shaft. With skip_overlapping of the query, bounds that
+/// the box overlaps at the start are left out: with closed contact all that touch it, whose time is 0; with open
+/// contact those whose relative interiors meet that of the box, so that a wall which the box only touches still stops
+/// it.
 SHAFTCULL_API shaftcull_status shaftcull_first_contact(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
                                                        const shaftcull_bounds* bounds, const shaftcull_query* query,
                                                        shaftcull_contact_found* contacts);

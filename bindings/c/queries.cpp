@@ -39,7 +39,9 @@ Bounds bounds_of(const shaftcull_bounds* bounds, const char* name) {
 Query query_of(const shaftcull_query* query) {
   static constexpr shaftcull_query everything{};
   const shaftcull_query& asked = query == nullptr ? everything : *query;
-  if (asked.reserved_word != 0) refuse("query.reserved_word is not 0; set all of a query to 0 first");
+  if (asked.skip_overlapping > 1) {
+    refuse("query.skip_overlapping = " + std::to_string(asked.skip_overlapping) + " is neither 0 nor 1");
+  }
   for (const std::uint64_t reserved : asked.reserved) {
     if (reserved != 0) refuse("query.reserved is not 0; set all of a query to 0 first");
   }
@@ -52,6 +54,7 @@ Query query_of(const shaftcull_query* query) {
           .layer_mask = as_span(asked.layer_masks, asked.layer_mask_count, "query.layer_masks"),
           .limit = static_cast<std::size_t>(std::min<std::uint64_t>(limit, Query::no_limit)),
           .only = only,
+          .skip_overlapping = asked.skip_overlapping != 0,
           .triangle_test = as_triangle_test(asked.triangle_test)};
 }
 

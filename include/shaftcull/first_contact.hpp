@@ -11,6 +11,14 @@
 /// A body that is among the bounds is reached at time 0, before all others: leave it out, `{.exclude = {me}}`. The
 /// floor on which a body stands is also reached at time 0.
 ///
+/// With `{.skip_overlapping = true}` (Query), first contact leaves out each bound that the moving box overlaps at the
+/// start: the shaft's box a(), the body, or the occluder. With closed contact these are the bounds that have a point in
+/// common with that box, which are those whose entry time is 0; a bound that only touches the box is one of them. With
+/// open contact they are the bounds whose relative interiors have a point in common with that of the box. So a wall
+/// that the box touches at the start, and moves into, is still reached at time 0, as the floor on which it stands is
+/// left out: that is what a body needs that slides along walls. A point is its own relative interior; if the radius of
+/// a sphere is infinite or NaN, or a coordinate of a bound is NaN, the bound is as little constrained as in the times.
+///
 /// Planes added to the shaft leave out bounds beyond them, as in every query. Open contact (set_contact()) leaves out
 /// bounds that the moving box only touches, such as a floor along which a body slides. Neither changes the times of
 /// other bounds. If a coordinate of a kept bound is infinite or NaN, it puts no constraint on the entry time; if the

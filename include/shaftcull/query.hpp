@@ -144,6 +144,9 @@ struct Query {
   /// query, O(size()), and keeps the result, 4 bytes per bound; that query may throw std::bad_alloc. Calls for many
   /// shafts allocate a copy of the candidates' bounds.
   std::optional<std::span<const std::uint32_t>> only{};
+  /// Leaves out bounds that the moving box overlaps at the start, for first_contact() and first_contact_many():
+  /// first_contact.hpp defines them.
+  bool skip_overlapping = false;
   /// The test of triangles. Other bounds take only the default.
   TriangleTest triangle_test = TriangleTest::exact;
 };

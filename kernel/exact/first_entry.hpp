@@ -8,6 +8,7 @@
 
 #include "exact/entry_time.hpp"
 #include "exact/sphere_entry_time.hpp"
+#include "exact/start_overlap.hpp"
 #include "shaftcull/first_contact.hpp"
 #include "shaftcull/streams.hpp"
 
@@ -17,18 +18,20 @@ namespace shaftcull::kernel {
 template <class View>
 using EntryTimesOf = std::conditional_t<std::is_same_v<View, SphereView>, SphereEntryTimes, EntryTimes>;
 
-/// The bound with the least entry time of those offered, and of several the one with the lowest index. The shaft
-/// outlives it.
+/// The bound with the least entry time of those offered, and of several the one with the lowest index; without those
+/// that the moving box overlaps at the start, if these are skipped. The shaft outlives it.
 template <class View>
 class FirstEntry {
  public:
   static constexpr std::uint64_t none = ~std::uint64_t{0};  ///< above all indices and positions
 
-  explicit FirstEntry(const ShaftData& shaft) noexcept : times_(shaft) {}
+  explicit FirstEntry(const ShaftData& shaft, bool skips_overlapping = false) noexcept
+      : times_(shaft), start_(shaft), skips_overlapping_(skips_overlapping) {}
 
   /// Of the bound at position i of separate streams, which meets the shaft.
   void offer(const float* const* stream, std::size_t i, std::uint64_t index) noexcept {
     if (is_before_all_above(index) || (index_ != none && times_.is_surely_later(stream, i, time_))) return;
+    if (skips_overlapping_ && start_.has(View(), stream, i)) return;
     const Time time = times_.exact(stream, i);
     const int order = index_ == none ? -1 : times_.compare(time, time_);
     if (order > 0 || (order == 0 && index_ < index)) return;
@@ -60,6 +63,8 @@ class FirstEntry {
   using Time = typename Times::Time;
 
   Times times_;
+  StartOverlap start_;
+  bool skips_overlapping_;
   Time time_ = Times::zero;
   std::uint64_t index_ = none;
 };

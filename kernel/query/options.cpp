@@ -48,6 +48,9 @@ void Options::check(const Takes& takes, std::size_t shafts, std::size_t bounds, 
   if (query_.only && !takes.only) {
     refuse_option("only", std::string(" means nothing to ") + call_ + "(); make a view of the bounds that it names");
   }
+  if (query_.skip_overlapping && !takes.skip_overlapping) {
+    refuse_option("skip_overlapping", std::string(" means nothing to ") + call_ + "(); ask for first contact with it");
+  }
   require_below("query.exclude", query_.exclude.span(), bounds);
   if (each_ * shafts != exclude_each.size()) {
     refuse_option("exclude_each", " has " + counted_indices(exclude_each.size()) + ", which is not a multiple of the " +

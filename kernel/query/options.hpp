@@ -18,6 +18,7 @@ namespace shaftcull::kernel {
 struct Takes {
   bool limit = false;
   bool only = true;
+  bool skip_overlapping = false;
 };
 
 inline constexpr Takes takes_candidates{};
@@ -73,6 +74,8 @@ class Options {
   [[nodiscard]] const std::optional<std::span<const std::uint32_t>>& only() const noexcept { return query_.only; }
   [[nodiscard]] TriangleTest triangle_test() const noexcept { return query_.triangle_test; }
 
+  [[nodiscard]] bool skip_overlapping() const noexcept { return query_.skip_overlapping; }
+
   [[nodiscard]] ExcludedIndices excluded(std::size_t s) const noexcept {
     return {query_.exclude.span(), query_.exclude_each.subspan(s * each_, each_), query_.exclude_mask};
   }
@@ -91,7 +94,8 @@ class Options {
            !query.layer_mask.span().empty();
   }
   [[nodiscard]] static bool asks_for_more(const Query& query) noexcept {
-    return query.only || query.limit != Query::no_limit || query.triangle_test != TriangleTest::exact;
+    return query.only || query.limit != Query::no_limit || query.triangle_test != TriangleTest::exact ||
+           query.skip_overlapping;
   }
 
   void check(const Takes& takes, std::size_t shafts, std::size_t bounds, BoundKind kind, bool have_layers);

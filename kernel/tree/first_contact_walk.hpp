@@ -7,11 +7,14 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 
 #include "compiled/contact.hpp"
+#include "compiled/joining_planes.hpp"
 #include "compiled/with_planes.hpp"
 #include "exact/first_entry.hpp"
+#include "exact/start_overlap.hpp"
 #include "kernels/kernel_table.hpp"
 #include "support/compiler.hpp"
 #include "support/prefetch.hpp"
@@ -24,7 +27,7 @@ template <class Bound>
 class FirstContactWalk {
  public:
   FirstContactWalk(const TreeParts<Bound>& parts, const Kernels& kernels, const ShaftData& shaft,
-                   const Exclusion& exclusion) noexcept
+                   const Exclusion& exclusion, bool skips_overlapping = false) noexcept
       : parts_(parts),
         test_leaves_(kernels.listed(ViewOf<Bound>{})),
         test_nodes_(kernels.listed_boxes),
@@ -33,7 +36,10 @@ class FirstContactWalk {
         exclusion_(exclusion),
         prefetches_(parts.is_worth_prefetching()),
         leaf_(parts.leaves.view().stream),
-        first_(shaft) {}
+        start_(shaft),
+        first_(shaft) {
+    if (skips_overlapping) begin_skipping(shaft, kernels);
+  }
 
   /// What is reached first of the leaves that are not left out.
   const FirstEntry<ViewOf<Bound>>& run() noexcept {
@@ -71,6 +77,7 @@ class FirstContactWalk {
       const std::uint32_t entry = from + static_cast<std::uint32_t>(std::countr_zero(kept));
       const std::uint64_t least = k == 1 ? parts_.least_index[entry] : 0;
       if (first_.is_before_all_above(least)) continue;  // which takes no time to work out
+      if (skips_overlapping_ && start_.has_all_within(stream.data(), entry)) continue;
       const double time = first_.times_of_boxes().rough(stream.data(), entry);
       if (!first_.is_no_first(time, least)) node[nodes++] = {time, least, entry};
     }
@@ -85,12 +92,27 @@ class FirstContactWalk {
   void visit_leaves(std::uint32_t word) noexcept {
     std::uint64_t kept = 0;
     test_leaves_(with_planes_.shaft(), leaf_.data(), &word, 1, &kept, nullptr, 1);
+    if (kept != 0 && skips_overlapping_) {
+      std::uint64_t at_start = 0;
+      test_leaves_(*at_start_, leaf_.data(), &word, 1, &at_start, nullptr, 1);
+      kept &= ~at_start;
+    }
     const std::size_t from = std::size_t{word} * fanout;
     if (kept != 0) kept = exclusion_.leaves(from, kept);
     for (; kept != 0; kept &= kept - 1) {
       const std::size_t leaf = from + static_cast<std::size_t>(std::countr_zero(kept));
       first_.offer(leaf_.data(), leaf, parts_.order[leaf]);
     }
+  }
+
+  /// Forms what keeps all that the box overlaps where it starts: a shaft from there to there.
+  void begin_skipping(const ShaftData& shaft, const Kernels& kernels) noexcept {
+    skips_overlapping_ = true;
+    ShaftData& at_start = at_start_.emplace();
+    const Box box{{shaft.a[0], shaft.a[1], shaft.a[2]}, {shaft.a[3], shaft.a[4], shaft.a[5]}};
+    kernels.compile_pair(box, box, at_start);
+    apply_contact(at_start, shaft.contact);
+    if (outside_needs_planes(at_start, std::is_same_v<Bound, Sphere>)) add_joining_planes(at_start);
   }
 
   /// Prefetches a word of entries of level k.
@@ -113,6 +135,9 @@ class FirstContactWalk {
   Exclusion exclusion_;
   bool prefetches_;
   std::array<const float*, rows_of<Bound>> leaf_;
+  StartOverlap start_;
+  bool skips_overlapping_ = false;
+  std::optional<ShaftData> at_start_;  ///< if what overlaps the start is skipped
   FirstEntry<ViewOf<Bound>> first_;
 };
 

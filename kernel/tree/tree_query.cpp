@@ -4,7 +4,6 @@
 #include "tree/first_contact_walk.hpp"
 
 namespace shaftcull::kernel {
-
 template <class Bound>
 void BoundsQuery<Bound>::walk_leaves(std::size_t s, LeafVisitor& visitor, const VisitorTraits& traits) const {
   in_float_environment(
@@ -13,8 +12,10 @@ void BoundsQuery<Bound>::walk_leaves(std::size_t s, LeafVisitor& visitor, const 
 
 template <class Bound>
 FirstContact BoundsQuery<Bound>::first_contact(std::size_t s) const noexcept {
-  return in_float_environment(
-      [&] { return FirstContactWalk<Bound>(parts_, kernels(), shaft(s), exclusion(s)).run().contact(); });
+  return in_float_environment([&] {
+    const bool skips = options().skip_overlapping();
+    return FirstContactWalk<Bound>(parts_, kernels(), shaft(s), exclusion(s), skips).run().contact();
+  });
 }
 
 template class BoundsQuery<Box>;

@@ -23,6 +23,8 @@ using kernel::Asked;
 using kernel::IndexRange;
 using kernel::Question;
 
+constexpr kernel::Takes takes_skip{.skip_overlapping = true};
+
 void require_askable(const Asked& asked) {
   asked.require_no_triangles();
   asked.require_index_width();
@@ -35,7 +37,7 @@ FirstContact contact_of_scan(const Asked& asked, std::size_t s) {
   const kernel::Scan scan = asked.scan(s);
   const kernel::ScannedBounds& bounds = asked.scanned();
   return kernel::in_float_environment([&] {
-    kernel::FirstEntry<View> first(asked.shafts()[s]);
+    kernel::FirstEntry<View> first(asked.shafts()[s], asked.options().skip_overlapping());
     scan.for_each_chunk(kernel::first_chunk_bounds, [&](const kernel::ScannedChunk& chunk) {
       kernel::for_each_bit(chunk.kept, chunk.words, [&](std::size_t i) {
         const std::uint32_t index = scan.index_of(chunk.first + i);
@@ -100,7 +102,7 @@ void write_contacts(const Asked& asked, std::span<FirstContact> contacts) {
     job.test(block, group, {kept, words});
     for (std::size_t s = 0; s != group.size; ++s) {
       const kernel::ShaftData& shaft = shafts[group.first + s];
-      kernel::FirstEntry<View> first(shaft);
+      kernel::FirstEntry<View> first(shaft, asked.options().skip_overlapping());
       offer(first, bounds, block.first, kept + s * words, words);
       if (!first.is_there()) continue;
       hand_over<View>(shaft, bounds, static_cast<std::uint32_t>(first.index()), contacts[group.first + s].index);
@@ -119,14 +121,14 @@ void write_contacts(const Asked& asked, std::span<FirstContact> contacts) {
 }  // namespace
 
 FirstContact first_contact(const CompiledShaft& shaft, const Bounds& bounds, const Query& query) {
-  const Asked asked("first_contact", {&shaft, 1}, bounds, Question::kept, query, {});
+  const Asked asked("first_contact", {&shaft, 1}, bounds, Question::kept, query, takes_skip);
   require_askable(asked);
   return contact_of(asked, 0);
 }
 
 void first_contact_many(std::span<const CompiledShaft> shafts, const Bounds& bounds, std::span<FirstContact> contacts,
                         const Query& query) {
-  const Asked asked("first_contact_many", shafts, bounds, Question::kept, query, {});
+  const Asked asked("first_contact_many", shafts, bounds, Question::kept, query, takes_skip);
   require_askable(asked);
   kernel::require_counts("contacts", contacts, shafts.size());
   asked.options().require_apart("contacts", kernel::bytes_of(contacts));

@@ -73,6 +73,8 @@ struct Verb {
 
   /// Those of occluded.hpp do not.
   [[nodiscard]] bool takes_only() const { return kinds != boxes; }
+  /// Those of first_contact.hpp alone do.
+  [[nodiscard]] bool takes_skip() const { return kinds == boxes_and_spheres; }
 };
 
 constexpr Verb verbs[] = {
@@ -280,6 +282,17 @@ TEST_F(OptionErrors, ALimitIsRefusedWhereItMeansNothing) {
   for_each([&](const Verb& verb, const Container& container) {
     for (const std::size_t limit : {std::size_t{0}, std::size_t{3}, std::size_t{1000}}) {
       if (!verb.takes_limit) expect_refused(verb, container, {.limit = limit}, "limit");
+    }
+  });
+}
+
+TEST_F(OptionErrors, SkippingWhatOverlapsTheStartIsRefusedWhereNothingStarts) {
+  for_each([&](const Verb& verb, const Container& container) {
+    const Query query{.skip_overlapping = true};
+    if (verb.takes_skip()) {
+      expect_taken(verb, container, query);
+    } else {
+      expect_refused(verb, container, query, "skip_overlapping");
     }
   });
 }

@@ -34,11 +34,12 @@ class TreeFirstContact : public testing::Test {
     const auto memory = columns(bounds);
     std::vector<FirstContact> flat(shafts.size());
     std::vector<FirstContact> many(shafts.size());
-    first_contact_many(shafts, memory.view(), flat);
+    const Query of_all{.skip_overlapping = query.skip_overlapping};
+    first_contact_many(shafts, memory.view(), flat, of_all);
     first_contact_many(shafts, tree, many, query);
     for (std::size_t s = 0; s != shafts.size(); ++s) {
       SCOPED_TRACE("shaft " + std::to_string(s) + " of " + std::to_string(bounds.size()) + " bounds");
-      const FirstContact one = first_contact(shafts[s], memory.view());
+      const FirstContact one = first_contact(shafts[s], memory.view(), of_all);
       EXPECT_EQ(flat[s], one);
       EXPECT_EQ(many[s], one);
       EXPECT_EQ(first_contact(shafts[s], tree, query), many[s]);
@@ -187,6 +188,18 @@ TYPED_TEST(TreeFirstContact, IsRefusedForAConvexHullInWhichNothingMoves) {
   EXPECT_THAT(message_of([&] { entry_times(hull, tree, indices, times); }), refuses);
 }
 
+TYPED_TEST(TreeFirstContact, IsThatOfAFlatScanWithoutThousandsThatOverlapTheStart) {
+  Random random(815);
+  const std::vector<TypeParam> bounds = scene<TypeParam>(random, Shape::uniform, 20000);
+  const BoundsTree<TypeParam> tree{std::span<const TypeParam>(bounds)};
+  std::vector<CompiledShaft> shafts;
+  for (unsigned s = 0; s != 40; ++s) {
+    shafts.push_back(compile(random.box(-6, 6, 0.1F, 4), random.box(-6, 6, 0.1F, 4)));
+    if (s % 2 == 1) set_contact(shafts.back(), Contact::open);
+  }
+  this->expect_flat(tree, bounds, shafts, {.skip_overlapping = true});
+}
+
 std::size_t words_tested = 0;
 kernel::TestListedWords* test_boxes = nullptr;
 kernel::TestListedWords* test_spheres = nullptr;
@@ -204,7 +217,7 @@ struct Tested {
   std::size_t all;
 };
 template <class Bound>
-Tested words_tested_by(const CompiledShaft& shaft, const BoundsTree<Bound>& tree) {
+Tested words_tested_by(const CompiledShaft& shaft, const BoundsTree<Bound>& tree, bool skips_overlapping = false) {
   const auto& parts = *TreeAccess::parts(tree);
   kernel::Kernels kernels = kernel::active_kernels();
   test_boxes = kernels.listed_boxes;
@@ -213,7 +226,7 @@ Tested words_tested_by(const CompiledShaft& shaft, const BoundsTree<Bound>& tree
   kernels.listed_spheres = count_words<test_spheres>;
   words_tested = 0;
   const kernel::Exclusion nothing({parts.order, false, kernels}, {}, {});
-  (void)kernel::FirstContactWalk<Bound>(parts, kernels, kernel::data_of(shaft), nothing).run();
+  (void)kernel::FirstContactWalk<Bound>(parts, kernels, kernel::data_of(shaft), nothing, skips_overlapping).run();
   const std::size_t first = words_tested;
   words_tested = 0;
   kernel::Counter counter(kernels);
@@ -235,6 +248,10 @@ TYPED_TEST(FirstContactWalk, LooksAtLittleMoreThanWhatIsReachedFirst) {
   // A large box that starts on thousands of boxes: all are reached at once, and the lowest index counts.
   const Tested large = words_tested_by(compile({{-4, -4, -4}, {0, 4, 4}}, {{0, -4, -4}, {4, 4, 4}}), tree);
   EXPECT_LT(large.first, large.all / 5) << large.all;
+  // Where the box starts around everything, nothing below the top is looked at.
+  const Tested skipped =
+      words_tested_by(compile({{-50, -50, -50}, {50, 50, 50}}, {{9, 0, 0}, {99, 50, 50}}), tree, true);
+  EXPECT_LE(skipped.first, 2U) << skipped.all;
 }
 
 }  // namespace

@@ -56,6 +56,7 @@ std::vector<Options> each_option(Random& random, std::size_t shafts, std::size_t
   for (std::size_t i = size; i >= 3; i -= 3) only.push_back(static_cast<std::uint32_t>(i - 1));  // they descend
   add("only none").only.emplace();
   add("limit").limit = 4;
+  if (test == TriangleTest::exact) add("skip_overlapping").skip_overlapping = true;
   if (kind != Kind::triangles) add("triangle_test").test = TriangleTest::vertices;
   return all;
 }

@@ -42,6 +42,7 @@ struct Options {
   Indices layer_masks;  ///< none, one for all, or one for each shaft
   std::optional<Indices> only;
   std::size_t limit = 0;
+  bool skip_overlapping = false;
   TriangleTest test = TriangleTest::exact;
 };
 inline constexpr std::size_t excluded_each = 40;
@@ -61,6 +62,7 @@ class Asked {
              .layer_mask = masks_,
              .limit = options.limit == 0 ? Query::no_limit : options.limit,
              .only = options.only ? std::optional(std::span(*options.only)) : std::nullopt,
+             .skip_overlapping = options.skip_overlapping,
              .triangle_test = options.test},
         is_null_(options.null) {
     static constexpr std::uint32_t no_candidates = 0;  // not NULL
@@ -77,6 +79,7 @@ class Asked {
       c_.only_count = options.only->size();
     }
     c_.limit = options.limit;
+    c_.skip_overlapping = options.skip_overlapping ? 1 : 0;
     c_.triangle_test =
         options.test == TriangleTest::exact ? SHAFTCULL_TRIANGLES_EXACT : SHAFTCULL_TRIANGLES_BY_VERTICES;
   }
@@ -122,7 +125,7 @@ struct Question {
   /// Whether the options mean something to these bounds.
   [[nodiscard]] bool fits() const {
     return (of.kind == Kind::triangles || options.test == TriangleTest::exact) &&
-           (of.has_layers || options.layer_masks.empty());
+           (of.has_layers || options.layer_masks.empty()) && !options.skip_overlapping;
   }
   /// ... and to a verb that takes no limit.
   [[nodiscard]] bool fits_without_limit() const { return fits() && options.limit == 0; }

@@ -234,7 +234,8 @@ void compare_times(const Question& q) {
   const shaftcull_shafts* const c = q.shafts();
   const Bounds& bounds = q.of.cpp;
   const std::size_t shafts = q.of.shafts.moving;
-  const bool fits = q.fits_without_limit() && q.of.kind != Kind::triangles;
+  const bool skips = q.options.skip_overlapping;  // which first contact alone takes
+  const bool fits = (skips || q.fits_without_limit()) && q.of.kind != Kind::triangles;
   Indices indices;
   for (std::size_t i = 0; i < q.size(); i += 2) indices.push_back(static_cast<std::uint32_t>(i));
   for (std::size_t s = q.start; s < shafts; s += q.step) {

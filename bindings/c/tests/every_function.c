@@ -949,8 +949,10 @@ static void options_about(const shaftcull_shafts* shafts, shaftcull_bounds* boun
   query.reserved[3] = 1;
   REFUSED(shaftcull_count(shafts, 2, 1, bounds, &query, &number), "query.reserved");
   query = none;
-  query.reserved_word = 1;
-  REFUSED(shaftcull_count(shafts, 2, 1, bounds, &query, &number), "query.reserved_word");
+  query.skip_overlapping = 1;
+  REFUSED(shaftcull_count(shafts, 2, 1, bounds, &query, &number), "query.skip_overlapping means nothing to count()");
+  query.skip_overlapping = 2;
+  REFUSED(shaftcull_count(shafts, 2, 1, bounds, &query, &number), "query.skip_overlapping = 2");
 }
 
 static void queries(void) {

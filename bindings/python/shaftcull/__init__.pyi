@@ -464,6 +464,7 @@ class Boxes(Bounds):
         exclude_mask: npt.ArrayLike | None = None,
         layer_mask: _Integers | None = None,
         only: _Integers | None = None,
+        skip_overlapping: bool = False,
     ) -> Tuple[_Numbers, _Times]:
         """Which bound the moving box of each shaft reaches first, and when: a tuple of indices, int64 (n,), and times,
         float32 (n,); an int and a float for one shaft. -1 and infinity if it reaches none. Time is 0 at a and 1 at
@@ -476,6 +477,8 @@ class Boxes(Bounds):
         exclude_mask: bool (bounds,): True leaves a bound out for all shafts.
         layer_mask: integers from 0 to 2**32 - 1, one or (n,): leaves out bounds in none of these layers.
         only: integers (k,): looks only at these bounds, such as candidates of a larger shaft, in their order.
+        skip_overlapping: True leaves out bounds that the box overlaps at the start: with closed contact all that touch
+            it, with open contact those that reach into it, so that a wall beside it still stops it.
 
         TypeError, ValueError or IndexError names the argument that does not fit; NeedsRefit is for a tree that needs
         refit(), RuntimeError for bounds that another thread is changing. One shaft runs on the calling thread, n on
@@ -657,6 +660,7 @@ class Spheres(Bounds):
         exclude_mask: npt.ArrayLike | None = None,
         layer_mask: _Integers | None = None,
         only: _Integers | None = None,
+        skip_overlapping: bool = False,
     ) -> Tuple[_Numbers, _Times]:
         """Which bound the moving box of each shaft reaches first, and when: a tuple of indices, int64 (n,), and times,
         float32 (n,); an int and a float for one shaft. -1 and infinity if it reaches none. Time is 0 at a and 1 at
@@ -669,6 +673,8 @@ class Spheres(Bounds):
         exclude_mask: bool (bounds,): True leaves a bound out for all shafts.
         layer_mask: integers from 0 to 2**32 - 1, one or (n,): leaves out bounds in none of these layers.
         only: integers (k,): looks only at these bounds, such as candidates of a larger shaft, in their order.
+        skip_overlapping: True leaves out bounds that the box overlaps at the start: with closed contact all that touch
+            it, with open contact those that reach into it, so that a wall beside it still stops it.
 
         TypeError, ValueError or IndexError names the argument that does not fit; NeedsRefit is for a tree that needs
         refit(), RuntimeError for bounds that another thread is changing. One shaft runs on the calling thread, n on

@@ -59,6 +59,7 @@ Query Options::of(std::size_t first, std::size_t count) const {
   query.layer_mask = layer_mask.size() == shafts ? std::span(layer_mask).subspan(first, count) : layer_mask;
   query.limit = limit;
   query.only = only;
+  query.skip_overlapping = skip_overlapping;
   query.triangle_test = triangle_test;
   return query;
 }

@@ -50,6 +50,15 @@ only: integers (k,): looks only at these bounds, such as candidates of a larger 
   }
 };
 
+struct SkipKeyword {
+  using Value = bool;
+  static constexpr const char* about = R"(
+skip_overlapping: True leaves out bounds that the box overlaps at the start: with closed contact all that touch
+    it, with open contact those that reach into it, so that a wall beside it still stops it.)";
+  static py::arg_v named() { return arg("skip_overlapping") = false; }
+  static void give(Options& options, Value skip) { options.skip_overlapping = skip; }
+};
+
 struct TestKeyword {
   using Value = std::string;
   static constexpr const char* about = R"(
@@ -106,7 +115,7 @@ The indices of the bounds that overlap the shafts, and of those that are inside:
 /// Queries of boxes and spheres.
 template <class Bound>
 void add_first_contact(py::class_<HolderOf<Bound>, Holder>& to) {
-  ask<OnlyKeyword>(to, "first_contact", &ask_first_contact, R"(
+  ask<OnlyKeyword, SkipKeyword>(to, "first_contact", &ask_first_contact, R"(
 Which bound the moving box of each shaft reaches first, and when: a tuple of indices, int64 (n,), and times,
 float32 (n,); an int and a float for one shaft. -1 and infinity if it reaches none. Time is 0 at a and 1 at
 b: a swept body has moved by its whole displacement at 1. Times are rounded down; which bound is first is

@@ -33,6 +33,7 @@ struct Options {
   std::vector<std::uint32_t> layer_mask{};
   std::size_t limit = Query::no_limit;
   std::optional<std::vector<std::uint32_t>> only{};
+  bool skip_overlapping = false;
   TriangleTest triangle_test = TriangleTest::exact;
 
   /// Those that leave out bounds, for these shafts. None for one that is not given. Errors name the keyword.

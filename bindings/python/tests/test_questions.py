@@ -187,6 +187,26 @@ def test_first_contact_is_among_the_bounds_that_options_leave(holder, boxes, a, 
     assert holder.first_contact(shafts[3], exclude=me) == tuple(x[3] for x in holder.first_contact(shafts, exclude=me))
 
 
+@pytest.mark.parametrize("hold", [sc.BoxStream, sc.BoxTree])
+def test_first_contact_skips_what_overlaps_the_start(hold):
+    floor, overlapping = [-9, -1, -9, 9, 0, 9], [0.5, 0.5, 0, 2, 2, 2]
+    wall, far = [1, 0, 0, 2, 1, 1], [4, 0, 0, 5, 1, 1]
+    holder = hold(np.float32([floor, overlapping, wall, far]))
+    ends = np.float32([0, 0, 0, 1, 1, 1]), np.float32([8, 0, 0, 9, 1, 1])
+    closed, opened = sc.Shafts.between(*ends), sc.Shafts.between(*ends, contact="open")
+    assert holder.first_contact(closed) == (0, 0) == holder.first_contact(closed, skip_overlapping=False)
+    assert holder.first_contact(closed, skip_overlapping=True) == (3, 0.375)
+    assert holder.first_contact(opened) == (1, 0)
+    assert holder.first_contact(opened, skip_overlapping=True) == (2, 0)
+    found, when = holder.first_contact(*(np.stack([end, end]) for end in ends), skip_overlapping=True)
+    assert found.tolist() == [3, 3] and when.tolist() == [0.375, 0.375]
+    assert holder.first_contact(closed, skip_overlapping=True, exclude=3) == (-1, np.inf)
+    with pytest.raises(TypeError, match="first_contact"):
+        holder.first_contact(closed, skip_overlapping="yes")
+    with pytest.raises(TypeError, match="count"):
+        holder.count(closed, skip_overlapping=True)
+
+
 def test_solids_are_left_out_as_other_bounds_are():
     walls = np.array([[0, -9, -9, 1, 9, 9], [2, -9, -9, 3, 9, 9], [0, -9, 0, 1, 9, 0.5]], dtype=np.float32)
     shafts = sc.Shafts.between([[-5, 0, 0, -4, 1, 1]] * 2, [6, 0, 0, 7, 1, 1])

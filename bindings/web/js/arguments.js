@@ -41,6 +41,12 @@ export function asIndices(values, name) {
   });
 }
 
+/** true or false. */
+export function asBoolean(value, name) {
+  if (typeof value !== 'boolean') throw new TypeError(`${name} = ${shown(value)} is neither true nor false`);
+  return value;
+}
+
 /** A value as messages show it. JSON has no word for some. */
 function shown(value) {
   if (typeof value === 'bigint') return `${value}n`;

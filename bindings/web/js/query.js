@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The options of questions, as the C interface reads them.
-import {asEnumerator, asIndices, asInteger} from './arguments.js';
+import {asBoolean, asEnumerator, asIndices, asInteger} from './arguments.js';
 
 /** Options that are arrays: the fields of shaftcull_query for the numbers, and for how many these are. */
 const arrays = {
@@ -14,7 +14,7 @@ const arrays = {
 const triangleTests = ['exact', 'vertices'];
 export const asTriangleTest = (value) => asEnumerator(value, triangleTests, 'triangleTest');
 
-const ofAll = ['exclude', 'excludeMask', 'layerMask', 'limit', 'only', 'triangleTest'];
+const ofAll = ['exclude', 'excludeMask', 'layerMask', 'limit', 'only', 'skipOverlapping', 'triangleTest'];
 
 /** The names of all options of questions about one shaft, and of those about many. */
 export const optionsOfOne = ['at', ...ofAll];
@@ -57,8 +57,9 @@ export function queryOf(scratch, options, shafts, bounds, usualTest) {
   const given = Object.entries(arrays).filter(([name]) => options[name] !== undefined);
   const limit = options.limit === undefined ? 0 : asInteger(options.limit, 1, 'limit');
   const test = asTriangleTest(options.triangleTest ?? usualTest);
-  if (given.length === 0 && limit === 0 && test === 0) return 0;
-  const query = {limit, triangle_test: test};
+  const skip = asBoolean(options.skipOverlapping ?? false, 'skipOverlapping') ? 1 : 0;
+  if (given.length === 0 && limit === 0 && test === 0 && skip === 0) return 0;
+  const query = {limit, triangle_test: test, skip_overlapping: skip};
   for (const [name, [numbers, count]] of given) {
     const array = arrayOf(name, options[name], shafts, bounds);
     query[numbers] = scratch.copy(array);

@@ -269,6 +269,11 @@ export interface QueryOptions {
   limit?: number;
   /** Asks only about these bounds, by index; lists keep their order. Not for queries about solids. */
   only?: ArrayLike<number>;
+  /**
+   * Leaves out bounds that the moving box overlaps at the start, for `firstContact` and `firstContactMany`: with closed
+   * contact all that touch it, with open contact those that reach into it, so that a wall beside it still stops it.
+   */
+  skipOverlapping?: boolean;
   /** 'exact' if it is not said, for hulls 'vertices', which is all that they answer. Not for boxes and spheres. */
   triangleTest?: TriangleTest;
 }

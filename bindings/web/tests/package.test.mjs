@@ -491,6 +491,26 @@ describe('options', () => {
     }
   });
 
+  test('skip what a moving box overlaps at the start', () => {
+    const boxes = [-9, -1, -9, 9, 0, 9, 0.5, 0.5, 0, 2, 2, 2, 1, 0, 0, 2, 1, 1, 4, 0, 0, 5, 1, 1];
+    const ends = [[0, 0, 0, 1, 1, 1], [8, 0, 0, 9, 1, 1]];
+    const [closed, open] = [{}, {contact: 'open'}].map((options) => shaftcull.between(...ends, options));
+    const skip = {skipOverlapping: true};
+    for (const holder of [shaftcull.boxStream(boxes), shaftcull.boxTree(boxes)]) {
+      assert.deepEqual(holder.firstContact(closed), {index: 0, time: 0});
+      assert.deepEqual(holder.firstContact(closed, {skipOverlapping: false}), {index: 0, time: 0});
+      assert.deepEqual(holder.firstContact(closed, skip), {index: 3, time: 0.375});
+      assert.deepEqual(holder.firstContactMany(closed, skip), [{index: 3, time: 0.375}]);
+      assert.deepEqual(holder.firstContact(open), {index: 1, time: 0});
+      assert.deepEqual(holder.firstContact(open, skip), {index: 2, time: 0});
+      assert.throws(() => holder.firstContact(closed, {skipOverlapping: 1}), /skipOverlapping = 1 is neither/);
+      assert.throws(() => holder.count(closed, skip), /skip_overlapping means nothing to count/);
+    }
+    const spheres = shaftcull.sphereTree([2, 0.5, 0.5, 1, 6, 0.5, 0.5, 1]);  // the first touches the start
+    assert.equal(spheres.firstContact(closed, skip).index, 1);
+    assert.equal(spheres.firstContact(open, skip).index, 0);
+  });
+
   test('leave out what would block', () => {
     const wall = (x) => [x, -9, -9, x + 1, 9, 9];
     const shaft = shaftcull.between([0, 0, 0, 1, 1, 1], [9, 0, 0, 10, 1, 1]);
