@@ -49,6 +49,9 @@ class FirstEntry {
     return index_ < index && time_.is_zero();
   }
 
+  /// Whether one is reached at the start. Then only a bound that is, too, and has a lower index can be first.
+  [[nodiscard]] bool is_at_start() const noexcept { return is_there() && time_.is_zero(); }
+
   /// Rough entry times of boxes around bounds.
   [[nodiscard]] const EntryTimes& times_of_boxes() const noexcept { return times_.times_of_boxes(); }
   [[nodiscard]] bool is_there() const noexcept { return index_ != none; }  ///< whether anything was offered

@@ -26,6 +26,12 @@ class StartOverlap {
   }
   [[nodiscard]] bool has(const SphereView& of, const float* const* stream, std::size_t i) const noexcept;
 
+  /// Whether the box around some bounds, at position i of six streams, touches it or overlaps it.
+  [[nodiscard]] bool touches(const float* const* stream, std::size_t i) const noexcept {
+    bool touches = true;
+    for (unsigned k = 0; k < 3; ++k) touches &= stream[k][i] <= start_[k + 3] && stream[k + 3][i] >= start_[k];
+    return touches;
+  }
   /// Whether it overlaps all bounds, none of them empty, that lie in the box at position i of six streams.
   [[nodiscard]] bool has_all_within(const float* const* stream, std::size_t i) const noexcept {
     for (unsigned k = 0; k < 3; ++k) {

@@ -30,7 +30,8 @@ export const planes: Float32Array[] = [all.joiningPlanes({at: 0}), shaftcull.vie
 export const made: Float32Array = shaftcull.inflated(shaftcull.translated(shaftcull.boxAround([]), [0, 0, 0]), 1);
 tree.setLayers(Uint32Array.of(1));
 tree.setLayersOf([0], [2]);
-const asked: AskOptions = {exclude: [0], skipOverlapping: false, excludeMask: tree.cull(view), layerMask: 1, limit: 9, only: [0], at: 0};
+const asked: AskOptions = {exclude: [0], excludeMask: tree.cull(view), layerMask: 1, limit: 9, only: [0], at: 0,
+                           skipOverlapping: false};
 const askedMany: AskManyOptions = {excludeEach: Uint32Array.of(0), layerMask: [1, 2], triangleTest: 'vertices'};
 export const lists: Uint32Array[] = [tree.list(shafts, asked), tree.listMany(shafts, askedMany).indices];
 const named: Lists = tree.listClassifiedMany(shafts, {excludeEach: [0]}).inside;
