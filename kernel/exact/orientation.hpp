@@ -45,8 +45,11 @@ inline int determinant_sign(const Step& a, const Step& b, const Step& c, const S
 }
 
 /// Whether a difference of two products of differences of floats, each rounded, is off by 2⁻³⁰ of itself at most. The
-/// products amount to `size` together, and the difference is off by 8 · 2⁻⁵³ of that.
-inline bool is_well_rounded(double difference, double size) noexcept { return std::fabs(difference) > 0x1p-19 * size; }
+/// products amount to `size` together, and the difference is off by 8 · 2⁻⁵³ of that. It is exact for products that are
+/// 0, as no product of differences underflows.
+inline bool is_well_rounded(double difference, double size) noexcept {
+  return std::fabs(difference) > 0x1p-19 * size || size == 0;
+}
 
 /// a · d − b · c, off by 2⁻³⁰ of itself at most; 0 only if it is 0.
 inline double nearly_determinant(const Step& a, const Step& b, const Step& c, const Step& d) noexcept {
@@ -102,6 +105,7 @@ class SpannedPlane {
     }
     // Three rounded differences, two rounded products and three rounded sums a term: < 9 units of its magnitude.
     if (std::fabs(sum) > 16 * unit * magnitude) return sum > 0 ? 1 : -1;
+    if (magnitude == 0) return 0;  // no product of three differences underflows
     const Measured measured = along<Measured>(w);
     if (measured.is_known()) return measured.is_positive() ? 1 : measured.is_negative() ? -1 : 0;
     return along<Expansion<2>>(w).sign();
