@@ -26,7 +26,7 @@ struct RootTime {
   mpq_class square = 0;  ///< not negative
 
   friend std::strong_ordering operator<=>(const RootTime& a, const RootTime& b);
-  friend bool operator==(const RootTime& a, const RootTime& b) { return (a <=> b) == 0; }
+  friend bool operator==(const RootTime& a, const RootTime& b) { return std::is_eq(a <=> b); }
 };
 
 /// The least t at which the centre of the sphere is no farther than its radius from box(t); likewise. The centre is
