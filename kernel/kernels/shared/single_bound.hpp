@@ -23,9 +23,10 @@ struct StreamsOfOne {
   }
 };
 
-/// The answers of shafts that are no hulls.
+/// The answers of shafts that are no hulls. Not inlined, so that a box which lanes decide does not wait for their
+/// stack.
 template <class L, class Stages>
-SHAFTCULL_ALWAYS_INLINE inline bool keeps_single(const ShaftData& shaft, const float* bound) noexcept {
+SHAFTCULL_NOINLINE bool keeps_single(const ShaftData& shaft, const float* bound) noexcept {
   const WithPlanes completed(shaft, Stages::needs_planes(shaft));
   std::uint64_t kept = 0;
   Stages::cull(completed.shaft(), StreamsOfOne<L, Stages::streams>(bound).of, 1, &kept);
