@@ -2,6 +2,7 @@
 #include "exact/hull_mesh.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "exact/orientation.hpp"
@@ -129,9 +130,23 @@ class HullConstruction {
   std::vector<HorizonEdge> horizon_;
 };
 
+double radius_around_middle(std::span<const Vec3> points) noexcept {
+  double middle[3];
+  for (std::size_t k = 0; k != 3; ++k) {
+    const auto [lo, hi] =
+        std::minmax_element(points.begin(), points.end(), [&](const Vec3& p, const Vec3& q) { return p[k] < q[k]; });
+    middle[k] = (double{(*lo)[k]} + double{(*hi)[k]}) / 2;
+  }
+  double radius = 0;
+  for (const Vec3& p : points) {
+    radius = std::max(radius, std::hypot(p[0] - middle[0], p[1] - middle[1], p[2] - middle[2]));
+  }
+  return radius;
+}
+
 }  // namespace
 
-HullMesh::HullMesh(std::span<const Vec3> points) {
+HullMesh::HullMesh(std::span<const Vec3> points) : radius_(radius_around_middle(points)) {
   const HullConstruction hull(points);
   const std::span<const HullTriangle> triangles = hull.triangles();
   // Triangles in one plane are one face, of which the first one stands for all.

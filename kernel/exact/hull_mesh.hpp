@@ -35,10 +35,13 @@ class HullMesh {
   /// Planes through three corners each, with their front outside. No two faces are in one plane.
   [[nodiscard]] std::span<const NearPlane> faces() const noexcept { return faces_; }
   [[nodiscard]] std::span<const Edge> edges() const noexcept { return edges_; }
+  /// How far the points are from the middle of the box around them at most, but for 2⁻⁴⁰ of it. Of a box, 0.
+  [[nodiscard]] double radius() const noexcept { return radius_; }
 
  private:
   std::vector<NearPlane> faces_;
   std::vector<Edge> edges_;
+  double radius_ = 0;
 };
 
 }  // namespace shaftcull::kernel

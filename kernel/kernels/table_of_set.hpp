@@ -17,6 +17,8 @@
 #include "kernels/siblings/facing.hpp"
 #include "kernels/siblings/form.hpp"
 #include "kernels/siblings/keep.hpp"
+#include "kernels/siblings/meet.hpp"
+#include "kernels/siblings/reach.hpp"
 #include "kernels/siblings/segments.hpp"
 #include "kernels/siblings/sibling_packing.hpp"
 #include "kernels/spheres/boxes_around_spheres.hpp"
@@ -119,6 +121,9 @@ inline constexpr Kernels kernels_for = {
                  .corners_behind_plane = corners_behind_plane<L>,
                  .points_behind_planes = points_behind_planes<L>,
                  .segments_through = segments_through<L>,
+                 .may_meet_solid = may_meet_solid<L>,
+                 .planes_behind_points = planes_behind_points<L>,
+                 .reach_between = reach_between<L>,
                  .corners_behind_cone = corners_behind_cone<L>,
                  .boxes_behind_cone = boxes_behind_cone<L>,
                  .behind_groups = behind_groups<L>,

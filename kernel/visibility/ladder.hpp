@@ -20,6 +20,7 @@
 #include "shaftcull/function_ref.hpp"
 #include "shaftcull/visibility.hpp"
 #include "visibility/occluders.hpp"
+#include "visibility/own_faces.hpp"
 #include "visibility/patch_tree.hpp"
 #include "visibility/sight_job.hpp"
 
@@ -70,6 +71,9 @@ class Ladder {
     std::uint64_t lanes = 0;
   };
 
+  /// Occluders with more points, which are not triangles, are not looked at in lanes.
+  static constexpr std::size_t most_points_in_lanes = 64;
+
   Level& level(std::size_t depth);
   void enter(const PairBlockTask& task, const To& to);
   void descend(std::uint32_t a, std::uint32_t b, std::size_t depth);
@@ -92,6 +96,10 @@ class Ladder {
   [[nodiscard]] std::uint64_t occluded_by_hull(std::uint32_t hull, std::uint64_t may_block, std::uint64_t asked);
   [[nodiscard]] std::uint64_t occluded_by_hull(std::uint32_t hull, std::span<const Vec3> fixed, const Side& columns,
                                                std::uint64_t asked);
+  [[nodiscard]] std::uint64_t may_meet(const BoxRow& solid, std::span<const Vec3> fixed, const Side& columns,
+                                       std::uint64_t asked) const;
+  [[nodiscard]] std::uint64_t boxes_may_meet(std::uint32_t hull, std::span<const Vec3> fixed,
+                                             std::uint64_t asked) const;
   [[nodiscard]] std::uint64_t occluded_by_box(const float (&solid)[6], std::span<const Vec3> fixed, const Side& columns,
                                               std::uint64_t asked);
   template <class Behind>
@@ -112,12 +120,15 @@ class Ladder {
                                                 std::uint64_t lanes, Selection& candidates);
   [[nodiscard]] std::uint64_t look_at_all_triangles(const Side& rows, unsigned row, const Side& columns,
                                                     std::uint64_t lanes, Selection& candidates);
+  [[nodiscard]] bool needs_segments(const Side& rows, const Side& columns, const Selection& candidates) const noexcept;
   void begin_segments(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes);
   [[nodiscard]] std::uint64_t certainly_through(std::uint32_t occluder, unsigned count, std::uint64_t asked) const;
   [[nodiscard]] std::uint64_t certainly_through(const std::array<Vec3, 3>& triangle, unsigned count,
                                                 std::uint64_t asked) const;
   [[nodiscard]] std::uint64_t drop_separate(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes,
                                             Selection& candidates);
+  [[nodiscard]] std::uint64_t reach_in_lanes(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes,
+                                             Selection& candidates);
   [[nodiscard]] bool reaches_between(unsigned lane, std::uint32_t occluder, std::size_t first, const PatchCorners& a,
                                      const PatchCorners& b);
   void write_undecided(const Level& here, const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes);
@@ -154,6 +165,8 @@ class Ladder {
   std::vector<std::uint64_t> part_lanes_;
   std::vector<std::uint64_t> sure_lanes_;  ///< of candidates at hand: lanes that one certainly reaches into
   std::vector<std::size_t> parts_left_;    ///< triangles of an occluder at hand that may reach in
+  OwnFacesCache own_faces_;
+  std::vector<PointsBetween> points_between_;  ///< of candidates at hand that lanes are asked about
   std::vector<Segments> segments_;
   std::vector<PointsBehind> points_behind_;
   std::vector<std::uint64_t> clump_lanes_;  // of each clump, the lanes that come near it

@@ -11,6 +11,8 @@
 #include "exact/polygon.hpp"
 #include "visibility/ladder_parts.hpp"
 #include "visibility/lanes.hpp"
+#include "visibility/patch_edges.hpp"
+#include "visibility/solid_bounds.hpp"
 
 namespace shaftcull::kernel {
 namespace {
@@ -65,7 +67,7 @@ std::uint64_t Ladder::block_corners(const Side& rows, unsigned row, const Side& 
     const float(&row_of)[8] = job_.solids[solids.list[i]].face;
     const float solid[6] = {row_of[0], row_of[1], row_of[2], row_of[3], row_of[4], row_of[5]};
     if (!job_.solids_around_ends && rows.reaches_into(row, solid)) continue;
-    std::uint64_t may = solids.kept[i] & ~occluded;
+    std::uint64_t may = may_meet(job_.solids[solids.list[i]], a.all(), columns, solids.kept[i] & ~occluded);
     if (!job_.solids_around_ends) {
       for_each_lane(may, [&](unsigned lane) {
         if (columns.reaches_into(lane, solid)) may &= ~bit(lane);
@@ -82,6 +84,17 @@ std::uint64_t Ladder::block_corners(const Side& rows, unsigned row, const Side& 
   }
   form(rows, row, columns, asked & ~occluded);
   return occluded;
+}
+
+/// Lanes of `asked` with no corner from which a segment to a corner of a patch certainly misses a solid box.
+std::uint64_t Ladder::may_meet(const BoxRow& solid, std::span<const Vec3> fixed, const Side& columns,
+                               std::uint64_t asked) const {
+  if (asked == 0) return 0;
+  constexpr double any_radius = 0x1p30;
+  const Side::CornersOfLanes corners(columns);
+  return job_.kernels.may_meet_solid(solid_bounds(solid, any_radius, job_.a.coordinate), fixed.data(),
+                                     static_cast<unsigned>(fixed.size()), corners.stream, corners.corners,
+                                     columns.count, asked);
 }
 
 /// Whether an occluder reaches into the shaft between two patches at hand, which its box and the boxes around its
@@ -114,12 +127,84 @@ bool Ladder::reaches_between(unsigned lane, std::uint32_t occluder, std::size_t 
                      [&](std::size_t part) { return !is_separate(occluders.part_vertices[part], nullptr); });
 }
 
+/// Of a row of pairs, decides in lanes which candidates reach in, as far as floats can: clears what does not, in
+/// `candidates.kept` and part_lanes_, and returns the lanes in which something does. These have sure_lanes_, too.
+std::uint64_t Ladder::reach_in_lanes(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes,
+                                     Selection& candidates) {
+  const OccluderData& occluders = job_.occluders;
+  points_between_.clear();
+  std::size_t part = 0;
+  for (std::size_t i = 0; i != candidates.count; ++i) {
+    const std::uint32_t occluder = candidates.list[i];
+    const std::uint64_t asked = candidates.kept[i] & ~sure_lanes_[i] & lanes;
+    const auto number = job_.wants_candidates ? static_cast<std::uint32_t>(i) : 0;
+    const std::size_t parts = occluders.parts_of(occluder);
+    const std::span<const Vec3> points = occluders.points_of(occluder);
+    for (std::size_t p = 0; p != parts; ++p) {
+      const std::array<Vec3, 3>& triangle = occluders.part_vertices[occluders.first_part[occluder] + p];
+      const std::uint64_t asked_of_part = asked & part_lanes_[part + p];
+      if (asked_of_part != 0) points_between_.push_back({triangle.data(), 3, number, true, asked_of_part, 0, 0});
+    }
+    if (parts == 0 && asked != 0 && !points.empty() && points.size() <= most_points_in_lanes) {
+      points_between_.push_back({points.data(), static_cast<std::uint32_t>(points.size()), number, false, asked, 0, 0});
+    }
+    part += parts;
+  }
+  if (points_between_.empty()) return 0;
+  const PatchCorners fixed = rows.corners(row);
+  const Side::CornersOfLanes corners(columns);
+  const PatchEdges fixed_edges = rows.set.tree.has_corners()
+                                     ? PatchEdges::of_polygon(static_cast<unsigned>(fixed.all().size()))
+                                     : PatchEdges::of_box(fixed.all());
+  const PatchEdges edges =
+      columns.set.tree.has_corners() ? PatchEdges::of_polygon(corners.corners) : PatchEdges::of_any_box();
+  const CornersOfPairs pairs{fixed.all().data(), static_cast<unsigned>(fixed.all().size()),
+                             fixed_edges.data(), fixed_edges.size(),
+                             corners.stream,     corners.corners,
+                             edges.data(),       edges.size(),
+                             columns.count};
+  if (pairs.planes() > CornersOfPairs::most_planes) return 0;
+  job_.kernels.reach_between(pairs, job_.a.tolerance, points_between_.data(), points_between_.size());
+  std::uint64_t reached = 0;
+  std::size_t next = 0;
+  part = 0;
+  for (std::size_t i = 0; i != candidates.count; ++i) {
+    const std::uint32_t occluder = candidates.list[i];
+    const std::uint64_t asked = candidates.kept[i] & ~sure_lanes_[i] & lanes;
+    const std::size_t parts = occluders.parts_of(occluder);
+    const std::span<const Vec3> points = occluders.points_of(occluder);
+    std::uint64_t left = 0;
+    std::uint64_t sure = 0;
+    for (std::size_t p = 0; p != parts; ++p) {
+      std::uint64_t& of_part = part_lanes_[part + p];
+      if ((asked & of_part) == 0) continue;
+      of_part &= ~points_between_[next].separate;
+      left |= of_part & asked;
+      sure |= points_between_[next++].reaching;
+    }
+    if (parts == 0 && asked != 0) {
+      left = asked;
+      if (!points.empty() && points.size() <= most_points_in_lanes) {
+        left &= ~points_between_[next].separate;
+        sure |= points_between_[next++].reaching;
+      }
+    }
+    candidates.kept[i] &= ~asked | left | sure;
+    sure_lanes_[i] |= sure;
+    reached |= sure;
+    part += parts;
+  }
+  return reached;
+}
+
 /// Of a row of pairs, in which the boxes around patches keep candidates: drops those that lie behind a plane that
 /// touches both patches. Returns the lanes in which some are left. If nobody wants candidates, one of them is enough.
 std::uint64_t Ladder::drop_separate(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes,
                                     Selection& candidates) {
   const PatchCorners a = rows.corners(row);
   std::uint64_t left = job_.wants_candidates ? 0 : lanes & any_of(sure_lanes_.data(), candidates.count);
+  const std::uint64_t reached = reach_in_lanes(rows, row, columns, lanes & ~left, candidates);
+  if (!job_.wants_candidates) left |= reached;
   for_each_lane(lanes & ~left, [&](unsigned lane) {
     const PatchCorners b = columns.corners(lane);
     tangents_.begin({a.all(), !rows.set.tree.has_corners()}, {b.all(), !columns.set.tree.has_corners()});

@@ -2,79 +2,16 @@
 /// Solid hulls in the ladder: the box around a hull says which lanes it may hide, and the planes of the hull itself
 /// decide about these.
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 
 #include "exact/hull_cone.hpp"
-#include "exact/orientation.hpp"
 #include "exact/polygon.hpp"
+#include "visibility/cone_planes.hpp"
 #include "visibility/ladder_parts.hpp"
 #include "visibility/lanes.hpp"
+#include "visibility/solid_bounds.hpp"
 
 namespace shaftcull::kernel {
-namespace {
-
-/// A normal in doubles, and the sum of the errors of its components.
-struct NearNormal {
-  double component[3];
-  double error;
-};
-
-NearNormal normal_of(const HullCone::Plane& plane) noexcept {
-  NearNormal normal{{0, 0, 0}, 0};
-  if (plane.face != nullptr) {
-    for (unsigned k = 0; k != 3; ++k) {
-      normal.component[k] = plane.face->normal(k);
-      normal.error += 0x1p-28 * std::fabs(normal.component[k]);
-    }
-    return normal;
-  }
-  const auto u = [&](unsigned k) { return double{plane.q[k]} - double{plane.p[k]}; };
-  const auto v = [&](unsigned k) { return double{plane.r[k]} - double{plane.p[k]}; };
-  for (unsigned k = 0; k != 3; ++k) {
-    const double left = u((k + 1) % 3) * v((k + 2) % 3);
-    const double right = u((k + 2) % 3) * v((k + 1) % 3);
-    normal.component[k] = left - right;
-    normal.error += 8 * 0x1p-53 * (std::fabs(left) + std::fabs(right));
-  }
-  return normal;
-}
-
-/// For points with coordinates of at most `coordinate`. Let n be the normal, scaled to a largest component of 1. Each
-/// component rounds, three products and three sums round, and so does the offset: each by 2⁻²⁴ of what is at most
-/// |n|·|p| + |offset| in sum. Underflow adds less than 2⁻¹⁴⁰.
-ConePlane plane_in_lanes(const HullCone::Plane& plane, float tolerance, float coordinate) noexcept {
-  NearNormal normal = normal_of(plane);
-  ConePlane in_lanes{};
-  in_lanes.in_front = std::numeric_limits<float>::infinity();
-  in_lanes.behind = std::numeric_limits<float>::infinity();
-  in_lanes.in_plane = std::numeric_limits<float>::infinity();
-  const double largest =
-      std::max({std::fabs(normal.component[0]), std::fabs(normal.component[1]), std::fabs(normal.component[2])});
-  if (largest == 0) return in_lanes;
-  const double scale = 1 / largest;
-  double offset = 0;
-  double length = 0;
-  for (unsigned k = 0; k != 3; ++k) {
-    const double component = normal.component[k] * scale;
-    offset += component * double{plane.p[k]};
-    length += std::fabs(component);
-    in_lanes.normal[k] = static_cast<float>(component);
-  }
-  const double farthest = double{coordinate} + double{tolerance};
-  const double error = (10 * 0x1p-24 * length + 2 * scale * normal.error) * farthest + 0x1p-120;
-  if (!(length * farthest < 0x1p120) || !(error < 0x1p120)) return in_lanes;
-  in_lanes.offset = static_cast<float>(offset);
-  in_lanes.in_front = static_cast<float>(error);
-  const double thickness = plane.face != nullptr ? double{tolerance} * length : 0;
-  in_lanes.behind = static_cast<float>(error + thickness);
-  if (plane.face != nullptr) in_lanes.in_plane = static_cast<float>(error - thickness);
-  return in_lanes;
-}
-
-}  // namespace
-
 /// The number of hulls in a list of solids: they come first.
 std::size_t Ladder::hulls_in(const std::uint32_t* solids, std::size_t count) const noexcept {
   const auto hulls = static_cast<std::uint32_t>(job_.occluders.hulls.size());
@@ -104,6 +41,8 @@ std::uint64_t Ladder::occluded_by_hull(std::uint32_t hull, std::uint64_t may_blo
   if (asked == 0) return 0;
   const HullMesh& mesh = job_.occluders.hulls[hull];
   const BoxCorners fixed(fixed_);
+  asked = boxes_may_meet(hull, fixed.get(), asked);
+  if (asked == 0) return 0;
   if (!job_.solids_around_ends && !are_in_front_of_a_face(mesh, fixed.get())) return 0;
   // The relative interior of a patch may lie in the surface of its group.
   const bool are_groups = siblings_.are_groups;
@@ -123,11 +62,36 @@ std::uint64_t Ladder::occluded_by_hull(std::uint32_t hull, std::uint64_t may_blo
   return occluded;
 }
 
+/// Siblings of `asked` such that no segment between some corners of their boxes and of an end certainly misses a hull.
+std::uint64_t Ladder::boxes_may_meet(std::uint32_t hull, std::span<const Vec3> fixed, std::uint64_t asked) const {
+  // Every other corner of a box: if it is flat, these are all.
+  constexpr unsigned some = 4;
+  const float* corner[3 * some];
+  for (unsigned k = 0; k != 3; ++k) {
+    corner[k] = siblings_.other[k];
+    for (unsigned c = 1; c != some; ++c) corner[3 * c + k] = siblings_.other[k + 1 == c ? k : k + 3];
+  }
+  const SolidBounds bounds = solid_bounds(job_.solids[hull], job_.occluders.hulls[hull].radius(), job_.a.coordinate);
+  return job_.kernels.may_meet_solid(bounds, fixed.data(), static_cast<unsigned>(fixed.size()), corner, some,
+                                     siblings_.count, asked);
+}
+
 /// Lanes of `asked` that a hull hides from a patch, between their corners.
 std::uint64_t Ladder::occluded_by_hull(std::uint32_t hull, std::span<const Vec3> fixed, const Side& columns,
                                        std::uint64_t asked) {
   if (asked == 0) return 0;
   const HullMesh& mesh = job_.occluders.hulls[hull];
+  if (const OwnFaces* const own = own_faces_.of(columns.set.tree, columns.first, columns.count, hull, mesh,
+                                                job_.solids[hull], job_.a.tolerance, job_.a.coordinate)) {
+    asked &= ~job_.kernels.planes_behind_points(own->normal, own->limit, columns.count, fixed.data(), fixed.size(),
+                                                asked & own->lanes);
+    if (asked == 0) return 0;
+  }
+  const Side::CornersOfLanes corners(columns);
+  asked = job_.kernels.may_meet_solid(solid_bounds(job_.solids[hull], mesh.radius(), job_.a.coordinate), fixed.data(),
+                                      static_cast<unsigned>(fixed.size()), corners.stream, corners.corners,
+                                      columns.count, asked);
+  if (asked == 0) return 0;
   if (!job_.solids_around_ends && !are_in_front_of_a_face(mesh, fixed)) return 0;
   if (!job_.solids_around_ends) {
     for_each_lane(asked, [&](unsigned lane) {

@@ -118,7 +118,8 @@ std::uint64_t Ladder::part_reaches(const Side& rows, unsigned row, const Side& c
 std::uint64_t Ladder::look_at_all_triangles(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes,
                                             Selection& candidates) {
   const OccluderData& occluders = job_.occluders;
-  begin_segments(rows, row, columns, lanes);
+  segments_.clear();
+  if (needs_segments(rows, columns, candidates)) begin_segments(rows, row, columns, lanes);
   std::uint64_t left = 0;
   std::uint64_t decided = 0;
   part_lanes_.clear();
@@ -144,10 +145,22 @@ std::uint64_t Ladder::look_at_all_triangles(const Side& rows, unsigned row, cons
   return left;
 }
 
+/// Whether reach_in_lanes() does not look at some candidates of two sides.
+bool Ladder::needs_segments(const Side& rows, const Side& columns, const Selection& candidates) const noexcept {
+  constexpr unsigned few_corners = 6;
+  if (std::max(rows.set.tree.corner_streams().corners(), columns.set.tree.corner_streams().corners()) > few_corners) {
+    return true;
+  }
+  const std::span<const std::uint32_t> list(candidates.list.data(), candidates.count);
+  return std::any_of(list.begin(), list.end(), [&](std::uint32_t occluder) {
+    const std::size_t points = job_.occluders.points_of(occluder).size();
+    return job_.occluders.parts_of(occluder) == 0 && (points == 0 || points > most_points_in_lanes);
+  });
+}
+
 /// Begins segments from inside a patch to corners of those of `lanes`.
 void Ladder::begin_segments(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes) {
   constexpr unsigned most_ends = 3;
-  segments_.clear();
   if (!rows.set.tree.has_corners()) return;
   const PatchCorners from = rows.corners(row);
   const CornerStreams& streams = columns.set.tree.corner_streams();

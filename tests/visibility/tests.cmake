@@ -8,7 +8,9 @@ shaftcull_test(visibility PARTS 2
   visibility/errors.cpp
   visibility/flush_walls.cpp
   visibility/hulls.cpp
+  visibility/meet.cpp
   visibility/patch_tree.cpp
+  visibility/reach.cpp
   visibility/rows.cpp
   visibility/siblings.cpp
   visibility/solids.cpp)

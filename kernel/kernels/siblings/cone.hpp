@@ -69,6 +69,24 @@ BehindCone corners_behind_cone(const ConePlane* planes, std::size_t number, cons
 
 /// As SiblingKernels has it.
 template <class L>
+std::uint64_t planes_behind_points(const float (&normal)[3][most_siblings], const float* limit, unsigned count,
+                                   const Vec3* points, std::size_t size, std::uint64_t asked) noexcept {
+  std::uint64_t behind = 0;
+  for (unsigned lane = 0; lane < count; lane += L::width) {
+    if ((asked & lanes_of<L>(lane)) == 0) continue;
+    const auto most = L::load(limit + lane);
+    for (std::size_t i = 0; i != size; ++i) {
+      auto sum = L::multiply(L::all(points[i][0]), L::load(normal[0] + lane));
+      sum = L::multiply_add(L::all(points[i][1]), L::load(normal[1] + lane), sum);
+      sum = L::multiply_add(L::all(points[i][2]), L::load(normal[2] + lane), sum);
+      behind |= L::bits(L::less(most, sum)) << lane;
+    }
+  }
+  return behind & asked;
+}
+
+/// As SiblingKernels has it.
+template <class L>
 BehindCone boxes_behind_cone(const ConePlane* planes, std::size_t number, const float* const* boxes, unsigned count,
                              std::uint64_t asked) noexcept {
   return behind_all<L>(planes, number, count, asked, [&](const ConePlane& plane, unsigned lane) {

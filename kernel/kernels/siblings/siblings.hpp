@@ -100,6 +100,53 @@ struct BehindCone {
   std::uint64_t certain;
 };
 
+/// An edge of a patch, by the numbers of its corners.
+struct PatchEdge {
+  std::uint8_t from;
+  std::uint8_t to;
+};
+
+/// A patch and up to 64 others, by their corners. Stream 3 c + k of `other` has coordinate k of corner c.
+struct CornersOfPairs {
+  const Vec3* fixed;
+  unsigned fixed_corners;
+  const PatchEdge* fixed_edge;
+  unsigned fixed_edges;
+  const float* const* other;
+  unsigned corners;
+  const PatchEdge* edge;  ///< of each of the others
+  unsigned edges;
+  unsigned count;
+
+  /// How many planes go through an edge of one patch and a corner of the other.
+  [[nodiscard]] constexpr unsigned planes() const noexcept { return fixed_edges * corners + edges * fixed_corners; }
+  /// Most planes: of a box of eight corners and a patch of four.
+  static constexpr unsigned most_planes = 80;
+};
+
+/// Points of an occluder, or the corners of one of its triangles, and bits of pairs: those that are asked about it, and
+/// what is found of these.
+struct PointsBetween {
+  const Vec3* points;
+  std::uint32_t count;
+  std::uint32_t occluder;  ///< a pair that some points reach into is not asked about the next ones with this number
+  bool is_triangle;        ///< then the triangle's own plane may part it from both patches, too
+  std::uint64_t asked;
+  std::uint64_t reaching;  ///< certainly reach in
+  std::uint64_t separate;  ///< certainly behind a plane that touches both patches
+};
+
+/// A box and a ball around a solid, a little larger than need be.
+struct SolidBounds {
+  bool has_interior;
+  bool is_bounded;  ///< else floats may overflow, and segments are not looked at
+  float lo[3];
+  float hi[3];
+  float middle[3];
+  float half[3];  ///< from the middle to each face
+  float radius;   ///< of the ball around the middle
+};
+
 /// Streams must be readable up to the end of the vector in which the last lane is: they are padded.
 struct SiblingKernels {
   /// Copies the boxes of six streams that are in `lanes`. Null if that does not pay.
@@ -157,6 +204,21 @@ struct SiblingKernels {
   /// seen certainly passes through it, with both ends at least `least` from its plane, which is not NaN. It may say no.
   std::uint64_t (*segments_through)(const SeenTriangle& triangle, const float* const* end, const float* least,
                                     unsigned count, std::uint64_t asked) noexcept;
+
+  /// The patches of `asked`, of `count` ≤ 64 with corners in streams as above, such that no segment from a corner of
+  /// theirs to one of `fixed` certainly misses a solid.
+  std::uint64_t (*may_meet_solid)(const SolidBounds& solid, const Vec3* fixed, unsigned fixed_corners,
+                                  const float* const* corner, unsigned corners, unsigned count,
+                                  std::uint64_t asked) noexcept;
+
+  /// The planes of `asked`, of `count` ≤ 64 in streams, that some point has a normal·p above the limit of.
+  std::uint64_t (*planes_behind_points)(const float (&normal)[3][most_siblings], const float* limit, unsigned count,
+                                        const Vec3* points, std::size_t size, std::uint64_t asked) noexcept;
+
+  /// Which of a list of points reach between a patch and others, of `pairs.planes()` ≤ most_planes. What is not certain
+  /// is left open.
+  void (*reach_between)(const CornersOfPairs& pairs, float tolerance, PointsBetween* points,
+                        std::size_t number) noexcept;
 
   /// The patches of `asked`, of `count` ≤ 64, all of whose corners, in streams as above, lie behind all planes. Bits
   /// are the same on all instruction sets.
