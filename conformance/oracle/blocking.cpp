@@ -12,9 +12,7 @@ namespace {
 /// A power of 2 that is as good as infinitely small where polynomials in it have coefficients of degree `degree` in
 /// coordinates. These and their differences are multiples of 2⁻¹⁴⁹ below 2¹²⁹, so coefficients that are not 0 are in
 /// proportion 2^(278 · degree) at most, but for the number of terms, which is below 2⁵⁰.
-mpq_class tiny(unsigned degree) {
-  return mpq_class(mpz_class(1), mpz_class(mpz_class(1) << (278 * degree + 50)));
-}
+mpq_class tiny(unsigned degree) { return mpq_class(mpz_class(1), mpz_class(mpz_class(1) << (278 * degree + 50))); }
 
 /// A segment passes a box by comparisons of quotients, and a polygon by (q − p) × (r − p) · n, where r is linear in the
 /// quotient of two products (n, p) and n has degree 2.

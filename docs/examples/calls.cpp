@@ -117,6 +117,8 @@ void ask() {
   expect(list(swept(box, travel), tree, kept) == 2, "what meets a cast");
   expect(list(ConvexHull(corners), tree, kept) == 1, "what meets a hull");
   expect(list(frustum(matrix, depth), tree, kept) == 1, "what is in view");
+  expect(list(frustum(matrix, depth, HullTest::conservative), tree, kept) == 1,
+         "what is in view, by its planes alone");
   expect(first_contact(swept(body, travel), tree).index == 0, "the body itself");
   expect(first_contact(swept(body, travel), tree, {.exclude = {me}}).index == 1, "contact");
   expect(count(shaft, tree, {.layer_mask = {mask}}) == 1, "layers");

@@ -60,7 +60,8 @@ whose objects cast shadows into view, volumes between polygons.
 points: float32 (n, 3), 1 to 32 with the directions. directions: float32 (m, 3), not 0: the hull has no end
     that way. float64 is a TypeError: a hull of rounded points need not contain the given hull.
 test: 'exact', or 'conservative': boxes are outside only if they are beyond one face, as in the usual test of a
-    view by its planes. It is quicker, and keeps some boxes beside edges and corners. Casters take that of their view.
+    view by its planes. It is quicker, and keeps some boxes beside edges and corners. Casters take that of
+    their view.
 
 Boxes are answered exactly, spheres to the safe side, triangles by their vertices only
 (triangle_test='vertices'). Queries for times and for occluders refuse a hull, and so does open contact.)")

@@ -3,6 +3,8 @@
 /// pair. Most solids that stand about between two patches are told so by one segment.
 #pragma once
 
+#include <cmath>
+
 #include "kernels/shared/word.hpp"
 #include "kernels/siblings/siblings.hpp"
 #include "support/compiler.hpp"
@@ -26,8 +28,8 @@ struct SeenSolid {
     for (unsigned k = 0; k < 3; ++k) {
       way[k] = point[k] - solid.middle[k];
       half[k] = solid.half[k] + 0x1p-18F * magnitude(way[k]);
-      lo[k] = point[k] < solid.lo[k] ? solid.lo[k] : -__builtin_inff();
-      hi[k] = point[k] > solid.hi[k] ? solid.hi[k] : __builtin_inff();
+      lo[k] = point[k] < solid.lo[k] ? solid.lo[k] : -INFINITY;
+      hi[k] = point[k] > solid.hi[k] ? solid.hi[k] : INFINITY;
       reach += 0x1p-18F * magnitude(way[k]);
     }
     square = reach * reach;

@@ -3,6 +3,8 @@
 /// (exact/tangent_planes.hpp), a pair of patches per lane.
 #pragma once
 
+#include <cmath>
+
 #include "exact/patch_plane.hpp"
 #include "kernels/siblings/siblings.hpp"
 #include "support/compiler.hpp"
@@ -40,7 +42,7 @@ class TangentsInLanes {
  public:
   /// For the others from a lane on.
   TangentsInLanes(const CornersOfPairs& pairs, unsigned lane, const TangentErrors& errors) noexcept
-      : pairs_(pairs), errors_(errors), infinity_(L::all(__builtin_inff())), none_(L::all(0.0F)) {
+      : pairs_(pairs), errors_(errors), infinity_(L::all(INFINITY)), none_(L::all(0.0F)) {
     for (unsigned k = 0; k < pairs.corners; ++k) {
       for (unsigned c = 0; c < 3; ++c) other_[k].at[c] = L::load(pairs.other[3 * k + c] + lane);
       for (unsigned i = 0; i < pairs.fixed_corners; ++i) {
