@@ -270,7 +270,7 @@ struct VisibilityOptions {
   /// Whether undecided pairs come with candidates.
   bool candidates = true;
   /// Limit in bytes for answers under way and for pairs of groups that wait for answers. Not included: the sets, the
-  /// occluders, memory that callbacks keep, and, per thread, about 2 MB plus 200 bytes per occluder, and
+  /// occluders, memory that callbacks keep, and, per thread, about 2.5 MB plus 200 bytes per occluder, and
   /// once, 180 bytes per occluder if patches have corners. A single pair and its candidates may exceed the limit. If
   /// the limit is small for the number of threads, pairs of groups are answered in smaller parts, and where even these
   /// do not fit, on one thread.
