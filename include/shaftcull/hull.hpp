@@ -7,7 +7,7 @@
 ///
 /// A *box* is outside a hull iff the two have no point in common, and inside iff all of it lies in the hull. Both are
 /// exact for the floats given, wherever the points lie. The usual test of a frustum by its six planes keeps large boxes
-/// behind its corners; this test does not.
+/// behind its corners; this test does not. HullTest::conservative is that usual test.
 ///
 /// A *sphere* is outside if it is beyond a plane that decides answers for boxes: the plane of a face of the hull, of an
 /// outline edge as seen along x, y or z, or of a face of the hull's box. It is inside if it is behind all of these
@@ -40,14 +40,15 @@ enum class HullTest : std::uint8_t {
   exact,
   /// Boxes are outside iff they are beyond one face of the hull: the usual test of a frustum by its planes. It keeps
   /// what the exact test keeps, and boxes beside edges and corners of the hull, most of them large ones. Of faces that
-  /// are parallel within a third of a degree one counts. Times: docs/measurements.md, *Convex hulls*.
+  /// are parallel within a third of a degree one counts. If a face is across x, y or z, or if the hull has fewer than
+  /// four faces, boxes that miss the box around the hull are outside, too. Times: docs/measurements.md, *Convex hulls*.
   conservative,
 };
 
 /// The convex hull of up to 32 points, ready for queries. With directions the hull has no end: it holds all that is
 /// reached from the hull of the points along the directions.
 ///
-/// Const members are safe to call from many threads. Copies are deep. Forming or copying a hull allocates about 10 KB.
+/// Const members are safe to call from many threads. Copies are deep. Forming or copying a hull allocates about 9 KB.
 class SHAFTCULL_EXPORT ConvexHull {
  public:
   static constexpr std::size_t max_vertices = 32;  ///< of points and directions together
@@ -101,8 +102,8 @@ class SHAFTCULL_EXPORT ConvexHull {
                                                   HullTest test = HullTest::exact);
 
 /// Returns the hull of `view` and a light at a point, which holds all that can cast a shadow into the view, with the
-/// test of the view. Throws
-/// InvalidArgument if the light is not finite, or if the view has max_vertices already or was never formed.
+/// test of the view. Throws InvalidArgument if the light is not finite, or if the view has max_vertices already or was
+/// never formed.
 [[nodiscard]] SHAFTCULL_EXPORT ConvexHull casters(const ConvexHull& view, const Vec3& light);
 
 /// Returns the hull of `view` and all that lies from it towards the sun: all that can cast the sun's shadow into the
