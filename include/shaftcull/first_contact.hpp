@@ -14,10 +14,11 @@
 /// With `{.skip_overlapping = true}` (Query), first contact leaves out each bound that the moving box overlaps at the
 /// start: the shaft's box a(), the body, or the occluder. With closed contact these are the bounds that have a point in
 /// common with that box, which are those whose entry time is 0; a bound that only touches the box is one of them. With
-/// open contact they are the bounds whose relative interiors have a point in common with that of the box. So bodies that
-/// slide along walls take open contact: a wall that the box touches at the start, and moves into, is reached at time 0.
-/// The floor on which the box stands, and along which it moves, is left out. A point is its own relative interior; if the radius of
-/// a sphere is infinite or NaN, or a coordinate of a bound is NaN, the bound is as little constrained as in the times.
+/// open contact they are the bounds whose relative interiors have a point in common with that of the box. So bodies
+/// that slide along walls take open contact: a wall that the box touches at the start, and moves into, is reached at
+/// time 0. The floor on which the box stands, and along which it moves, is left out. A point is its own relative
+/// interior; if the radius of a sphere is infinite or NaN, or a coordinate of a bound is NaN, the bound is as little
+/// constrained as in the times.
 ///
 /// Planes added to the shaft leave out bounds beyond them, as in every query. Open contact (set_contact()) leaves out
 /// bounds that the moving box only touches, such as a floor along which a body slides. Neither changes the times of

@@ -280,6 +280,29 @@ TEST(SolidHulls, HideNoPatchOfTheirOwnSurfaceFromWhatItSees) {
   });
 }
 
+TEST(VisibilityHulls, GroupsWithAPointInTheSurfaceAreNotHiddenAsAWhole) {
+  // One point of each set is in a face, x + y + z = 4: the segment between these two lies in the surface.
+  // All other points are in the interior.
+  const std::vector<Vec3> octahedron{{-4, 0, 0}, {4, 0, 0}, {0, -4, 0}, {0, 4, 0}, {0, 0, -4}, {0, 0, 4}};
+  const std::vector<std::size_t> whole{0, octahedron.size()};
+  Occluders occluders;
+  occluders.add_solid_hulls(octahedron, whole);
+  constexpr unsigned points = 300;
+  const auto below = [](const Vec3& corner) {
+    std::vector<Box> boxes;
+    for (unsigned i = 0; i != points; ++i) {
+      const float depth = static_cast<float>(i) * 0x1p-11F;
+      const Vec3 p{corner[0] - depth, corner[1] - depth, corner[2] - depth};
+      boxes.push_back({p, p});
+    }
+    return boxes;
+  };
+  const PatchSet a(below({2, 1, 1}));
+  const PatchSet b(below({1, 1, 2}));
+  on_each_instruction_set(
+      [&] { EXPECT_EQ(count_visibility(a, b, occluders).occluded, std::uint64_t{points} * points - 1); });
+}
+
 TEST(VisibilityHulls, BoxesInsideBodiesHideNothingWhereAnswersAgreeWithRays) {
   // Each body reaches around both patches, and a box inside it lies between them.
   const PatchSet left(std::vector<Box>{{{-3, -0.0625F, -0.0625F}, {-2.5F, 0.0625F, 0.0625F}}});
