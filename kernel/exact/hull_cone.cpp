@@ -12,41 +12,36 @@ void HullCone::begin(const HullMesh& hull, std::span<const Vec3> end, EndPoints 
   end_ = end;
   counting_ = counting;
   tolerance_ = tolerance;
-  next_face_ = 0;
   planes_.clear();
   sides_.resize(hull.faces().size() * end.size());
   is_behind_.resize(hull.faces().size());
+  for (std::size_t face = 0; face != hull.faces().size(); ++face) add_face(face);
 }
 
-bool HullCone::add_some_faces() {
-  constexpr std::size_t some = 16;
-  const std::span<const NearPlane> faces = hull_->faces();
+/// The plane of a face, unless the end is behind it.
+void HullCone::add_face(std::size_t face) {
+  const NearPlane& plane = hull_->faces()[face];
   const bool all_count = counting_ == EndPoints::all;
-  const std::size_t last = std::min(faces.size(), next_face_ + some);
-  for (; next_face_ != last; ++next_face_) {
-    const NearPlane& plane = faces[next_face_];
-    std::int8_t* const sides = &sides_[next_face_ * end_.size()];
-    bool any_behind = false;
-    bool any_on = false;
-    bool any_in_front = false;
-    for (std::size_t i = 0; i != end_.size(); ++i) {
-      const int side = plane.side(end_[i]);
-      sides[i] = static_cast<std::int8_t>(side);
-      any_behind |= side < 0;
-      any_on |= side == 0;
-      any_in_front |= side > 0;
-    }
-    const bool is_behind = any_behind && !any_in_front && !(any_on && all_count);
-    is_behind_[next_face_] = is_behind ? 1 : 0;
-    bool is_off = is_behind;
-    if (is_behind && tolerance_ > 0) {
-      const auto stays_behind = [&](const Vec3& x) { return plane.is_behind(x, tolerance_); };
-      is_off = all_count ? std::all_of(end_.begin(), end_.end(), stays_behind)
-                         : std::any_of(end_.begin(), end_.end(), stays_behind);
-    }
-    if (!is_off) planes_.push_back({plane.points()[0], plane.points()[1], plane.points()[2], &plane, true});
+  std::int8_t* const sides = &sides_[face * end_.size()];
+  bool any_behind = false;
+  bool any_on = false;
+  bool any_in_front = false;
+  for (std::size_t i = 0; i != end_.size(); ++i) {
+    const int side = plane.side(end_[i]);
+    sides[i] = static_cast<std::int8_t>(side);
+    any_behind |= side < 0;
+    any_on |= side == 0;
+    any_in_front |= side > 0;
   }
-  return next_face_ != faces.size();
+  const bool is_behind = any_behind && !any_in_front && !(any_on && all_count);
+  is_behind_[face] = is_behind ? 1 : 0;
+  bool is_off = is_behind;
+  if (is_behind && tolerance_ > 0) {
+    const auto stays_behind = [&](const Vec3& x) { return plane.is_behind(x, tolerance_); };
+    is_off = all_count ? std::all_of(end_.begin(), end_.end(), stays_behind)
+                       : std::any_of(end_.begin(), end_.end(), stays_behind);
+  }
+  if (!is_off) planes_.push_back({plane.points()[0], plane.points()[1], plane.points()[2], &plane, true});
 }
 
 void HullCone::add_edges() {

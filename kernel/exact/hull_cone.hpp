@@ -29,12 +29,10 @@ class HullCone {
     bool takes_in_end;      ///< all of this end lies in the plane: not all of the other one must
   };
 
-  /// For one end, the hull of finite points; there is at least one. The hull has an interior. Both stay the caller's,
-  /// for the calls below. Memory is kept from one end to the next.
+  /// Begins with the planes of faces, for one end, the hull of finite points; there is at least one. The hull has an
+  /// interior. Both stay the caller's, for the calls below. Memory is kept from one end to the next.
   void begin(const HullMesh& hull, std::span<const Vec3> end, EndPoints counting, float tolerance);
-  /// Adds the planes of some of the faces, if they are planes of the cone. Returns whether faces are left.
-  [[nodiscard]] bool add_some_faces();
-  /// Adds the planes through edges, after all faces.
+  /// Adds the planes through edges.
   void add_edges();
 
   [[nodiscard]] std::span<const Plane> planes() const noexcept { return planes_; }
@@ -42,6 +40,7 @@ class HullCone {
   [[nodiscard]] bool hides(std::span<const Vec3> other) const noexcept;
 
  private:
+  void add_face(std::size_t face);
   void add_edge(const Vec3& from, const Vec3& to, std::uint32_t front, std::uint32_t back);
   [[nodiscard]] bool is_behind(const Plane& plane, std::span<const Vec3> other) const noexcept;
 
@@ -49,7 +48,6 @@ class HullCone {
   std::span<const Vec3> end_;
   EndPoints counting_ = EndPoints::all;
   float tolerance_ = 0;
-  std::size_t next_face_ = 0;
   std::vector<Plane> planes_;
   std::vector<std::int8_t> sides_;        ///< of each face, those of the end's points
   std::vector<unsigned char> is_behind_;  ///< of each face, whether the end is behind it

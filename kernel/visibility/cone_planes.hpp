@@ -9,7 +9,8 @@
 namespace shaftcull::kernel {
 
 /// For points with coordinates of at most `coordinate`.
-[[nodiscard]] ConePlane plane_in_lanes(const HullCone::Plane& plane, float tolerance, float coordinate) noexcept;
+[[nodiscard]] ConePlane plane_in_lanes(const HullCone::Plane& plane, EndPoints counting, float tolerance,
+                                       float coordinate) noexcept;
 /// A face, without a tolerance.
 [[nodiscard]] ConePlane plane_in_lanes(const NearPlane& face, float coordinate) noexcept;
 

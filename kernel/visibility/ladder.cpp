@@ -29,7 +29,7 @@ void drop_unused(std::vector<std::uint32_t>& list, std::vector<std::uint64_t>& o
 
 }  // namespace
 
-Ladder::Ladder(const SightJob& job) : job_(job) {
+Ladder::Ladder(const SightJob& job) : job_(job), cones_(job) {
   for (unsigned f = 0; f != 6; ++f) {
     packed_box_[f] = packed_.face[f];
     packed_inward_[f] = packed_.face[(f + 3) % 6];

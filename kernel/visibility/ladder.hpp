@@ -14,11 +14,11 @@
 #include <vector>
 
 #include "exact/deep_segments.hpp"
-#include "exact/hull_cone.hpp"
 #include "exact/tangent_planes.hpp"
 #include "kernels/kernel_table.hpp"
 #include "shaftcull/function_ref.hpp"
 #include "shaftcull/visibility.hpp"
+#include "visibility/known_cones.hpp"
 #include "visibility/occluders.hpp"
 #include "visibility/own_faces.hpp"
 #include "visibility/patch_tree.hpp"
@@ -94,18 +94,13 @@ class Ladder {
   [[nodiscard]] std::uint64_t occluded_by_solids(const std::uint32_t* solids, std::size_t count,
                                                  const std::uint64_t* may_block, std::uint64_t asked);
   [[nodiscard]] std::uint64_t occluded_by_hull(std::uint32_t hull, std::uint64_t may_block, std::uint64_t asked);
-  [[nodiscard]] std::uint64_t occluded_by_hull(std::uint32_t hull, std::span<const Vec3> fixed, const Side& columns,
+  [[nodiscard]] std::uint64_t occluded_by_hull(std::uint32_t hull, const Side& rows, unsigned row, const Side& columns,
                                                std::uint64_t asked);
   [[nodiscard]] std::uint64_t may_meet(const BoxRow& solid, std::span<const Vec3> fixed, const Side& columns,
                                        std::uint64_t asked) const;
-  [[nodiscard]] std::uint64_t boxes_may_meet(std::uint32_t hull, std::span<const Vec3> fixed,
-                                             std::uint64_t asked) const;
-  [[nodiscard]] std::uint64_t occluded_by_box(const float (&solid)[6], std::span<const Vec3> fixed, const Side& columns,
-                                              std::uint64_t asked);
   template <class Behind>
-  [[nodiscard]] BehindCone behind_cone(const HullMesh& mesh, std::span<const Vec3> fixed, EndPoints counting,
-                                       float tolerance, std::uint64_t asked, const Behind& behind);
-  [[nodiscard]] std::uint64_t corners_behind_cone(const HullMesh& mesh, std::span<const Vec3> fixed, float tolerance,
+  [[nodiscard]] BehindCone behind_cone(EndPoints counting, std::uint64_t asked, const Behind& behind);
+  [[nodiscard]] std::uint64_t corners_behind_cone(std::uint32_t solid, const Side& rows, unsigned row,
                                                   const Side& columns, std::uint64_t asked);
   [[nodiscard]] std::size_t hulls_in(const std::uint32_t* solids, std::size_t count) const noexcept;
   void select(const std::vector<std::uint32_t>& list, const std::vector<std::uint64_t>& of_rows,
@@ -158,9 +153,8 @@ class Ladder {
   float fixed_inward_[6] = {};  // which of its faces are left out
   float exchanged_[6] = {};     // likewise of form_exchanged()
   TangentPlanes tangents_;
-  HullMesh box_mesh_;
-  HullCone cone_;
-  std::vector<ConePlane> cone_planes_;  // as lanes read them
+  KnownCones cones_;
+  ConeEnd fixed_end_;  // the box that all siblings_ begin at
   /// Of the parts of candidates at hand, one after the other: lanes that a part reaches into.
   std::vector<std::uint64_t> part_lanes_;
   std::vector<std::uint64_t> sure_lanes_;  ///< of candidates at hand: lanes that one certainly reaches into

@@ -61,7 +61,7 @@ std::uint64_t Ladder::block_corners(const Side& rows, unsigned row, const Side& 
                     solids.kept.data());
   const std::size_t hulls = hulls_in(solids.list.data(), solids.count);
   for (std::size_t i = 0; i != hulls; ++i) {
-    occluded |= occluded_by_hull(solids.list[i], a.all(), columns, solids.kept[i] & ~occluded);
+    occluded |= occluded_by_hull(solids.list[i], rows, row, columns, solids.kept[i] & ~occluded);
   }
   for (std::size_t i = hulls; i != solids.count; ++i) {
     const float(&row_of)[8] = job_.solids[solids.list[i]].face;
@@ -75,7 +75,7 @@ std::uint64_t Ladder::block_corners(const Side& rows, unsigned row, const Side& 
     }
     const bool is_flat = solid[0] == solid[3] || solid[1] == solid[4] || solid[2] == solid[5];
     if (!is_flat && std::popcount(may) >= many_lanes) {
-      occluded |= occluded_by_box(solid, a.all(), columns, may);
+      occluded |= corners_behind_cone(solids.list[i], rows, row, columns, may);
       continue;
     }
     for_each_lane(may, [&](unsigned lane) {

@@ -25,6 +25,9 @@ void Ladder::form(const Side& fixed, unsigned lane, const float* const* boxes, c
                   unsigned count, std::uint64_t asked) {
   fixed.copy_box(lane, fixed_);
   fixed.copy_inward(lane, fixed_inward_);
+  fixed_end_.tree = &fixed.set.tree;
+  fixed_end_.at = fixed.first + lane;
+  fixed_end_.kind = fixed.are_patches ? ConeEnd::Kind::box_of_patch : ConeEnd::Kind::box_of_group;
   job_.kernels.form(fixed_, boxes, count, asked, siblings_);
   siblings_.fixed_inward = fixed_inward_;
   siblings_.other_inward = inward;

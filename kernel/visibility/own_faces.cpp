@@ -48,7 +48,7 @@ const OwnFaces* OwnFacesCache::of(const PatchTree& tree, std::uint32_t first, un
     if (face == mesh.faces().end()) continue;
     const ConePlane plane = plane_in_lanes(*face, coordinate);
     for (unsigned k = 0; k != 3; ++k) found.normal[k][lane] = plane.normal[k];
-    found.limit[lane] = plane.offset + plane.in_front;
+    found.limit[lane] = plane.offset + plane.possible.highest;
     found.lanes |= bit(lane);
   }
   if (found.lanes == 0) return nullptr;

@@ -142,7 +142,6 @@ struct HullCase {
 
 void form(HullCone& cone, const HullMesh& mesh, const std::vector<Vec3>& end, EndPoints counting, float tolerance) {
   cone.begin(mesh, end, counting, tolerance);
-  while (cone.add_some_faces()) continue;
   cone.add_edges();
 }
 

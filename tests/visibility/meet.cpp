@@ -19,6 +19,7 @@
 #include "oracle/random.hpp"
 #include "sanitizers.hpp"
 #include "shaftcull/geometry.hpp"
+#include "solid_between_patches.hpp"
 #include "visibility/own_faces.hpp"
 #include "visibility/patch_tree.hpp"
 #include "visibility/solid_bounds.hpp"
@@ -31,57 +32,9 @@ using kernel::HullCone;
 using kernel::HullMesh;
 using kernel::most_siblings;
 
-/// A solid, a patch on one side of it or on it, and 64 others on the other side or on it.
-struct Case {
-  Random random;
-  float factor = 1;
-  float offset = 0;
-  float tolerance = 0;
-  std::vector<Vec3> solid;
-  std::vector<Vec3> fixed;
-  std::vector<std::vector<Vec3>> others;
-
-  Case(std::uint64_t seed, std::size_t solid_points, int thinnest) : random(seed) {
-    constexpr float factors[] = {1, 0.37F, 0x1p-20F, 1e6F, 0x1p-100F, 0x1p60F};
-    factor = factors[random.below(6)];
-    offset = random.one_in(4) ? 1e3F : 0;
-    if (random.one_in(2)) tolerance = std::ldexp(64 * factor, -8 - static_cast<int>(random.below(14)));
-    for (std::size_t i = 0; i != solid_points; ++i) solid.push_back(point(0, 3 + thinnest, 6));
-    fixed = patch(-10);
-    while (others.size() != most_siblings) others.push_back(patch(10));
-  }
-  [[nodiscard]] Vec3 point(int x, int reach_of_x, int reach) {
-    Vec3 at{};
-    for (std::size_t k = 0; k != 3; ++k) {
-      const float middle = k == 0 ? static_cast<float>(x) : 0;
-      const int most = k == 0 ? reach_of_x : reach;
-      at[k] = (middle + random.integer(-most, most) + offset) * factor;
-      if (random.one_in(8)) at[k] = random.nudge(at[k]);
-    }
-    return at;
-  }
-  /// A small triangle, or one between corners of the solid.
-  [[nodiscard]] std::vector<Vec3> patch(int x) {
-    std::vector<Vec3> corners;
-    if (random.one_in(4)) {
-      const auto corner = [&] { return solid[random.below(static_cast<unsigned>(solid.size()))]; };
-      for (int c = 0; c != 3; ++c) corners.push_back(corner());
-      return corners;
-    }
-    const Vec3 at = point(x, 2, 3);
-    for (int c = 0; c != 3; ++c) {
-      Vec3 corner = at;
-      for (std::size_t k = 0; k != 3; ++k) corner[k] += random.integer(-1, 1) * factor;
-      corners.push_back(corner);
-    }
-    return corners;
-  }
-  [[nodiscard]] float coordinate() const { return (offset + 64) * factor; }
-};
-
 BoxRow row_of(const Box& box) { return {{box.lo[0], box.lo[1], box.lo[2], box.hi[0], box.hi[1], box.hi[2], 0, 0}}; }
 
-std::uint64_t meeting(const Case& of, const kernel::SolidBounds& bounds, const CornersInLanes& lanes,
+std::uint64_t meeting(const SolidBetweenPatches& of, const kernel::SolidBounds& bounds, const CornersInLanes& lanes,
                       std::uint64_t asked) {
   return kernel::active_kernels().siblings.may_meet_solid(
       bounds, of.fixed.data(), static_cast<unsigned>(of.fixed.size()), lanes.stream(), 3, most_siblings, asked);
@@ -92,12 +45,11 @@ TEST(SegmentsPastASolid, AreNeverThoseOfAPatchThatAHullHides) {
   std::uint64_t missed_in_all = 0;
   for (std::uint64_t seed = 1; seed <= random_cases(400); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const Case of(seed, 4 + seed % 20, 0);
+    const SolidBetweenPatches of(seed, 4 + seed % 20, 0);
     const HullMesh mesh(of.solid);
     if (!mesh.has_interior()) continue;
     HullCone cone;
     cone.begin(mesh, of.fixed, kernel::EndPoints::of_relative_interior, of.tolerance);
-    while (cone.add_some_faces()) continue;
     cone.add_edges();
     std::uint64_t hidden = 0;
     for (std::size_t lane = 0; lane != most_siblings; ++lane) {
@@ -125,7 +77,7 @@ TEST(SegmentsPastASolid, AreNeverThoseOfAPatchThatABoxHides) {
   std::uint64_t hidden_in_all = 0;
   for (std::uint64_t seed = 1; seed <= random_cases(400); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    Case of(seed, 2, 0);
+    SolidBetweenPatches of(seed, 2, 0);
     if (of.random.one_in(4)) of.solid[1][of.random.below(3)] = of.solid[0][of.random.below(3)];
     const Box box = Random::sorted(of.solid[0], of.solid[1]);
     const float faces[6] = {box.lo[0], box.lo[1], box.lo[2], box.hi[0], box.hi[1], box.hi[2]};
@@ -202,7 +154,7 @@ TEST(OwnFaces, AreInFrontOfNoPatchThatTheirHullHides) {
   std::uint64_t dropped_in_all = 0;
   for (std::uint64_t seed = 1; seed <= random_cases(400); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const Case of(seed, 4 + seed % 20, 0);
+    const SolidBetweenPatches of(seed, 4 + seed % 20, 0);
     const HullMesh mesh(of.solid);
     if (!mesh.has_interior()) continue;
     std::vector<Vec3> corners;
@@ -220,7 +172,6 @@ TEST(OwnFaces, AreInFrontOfNoPatchThatTheirHullHides) {
     if (own == nullptr) continue;
     HullCone cone;
     cone.begin(mesh, of.fixed, kernel::EndPoints::of_relative_interior, of.tolerance);
-    while (cone.add_some_faces()) continue;
     cone.add_edges();
     on_each_instruction_set([&] {
       const std::uint64_t dropped = kernel::active_kernels().siblings.planes_behind_points(

@@ -3,6 +3,7 @@
 shaftcull_test(visibility PARTS 2
   visibility/agreement.cpp
   visibility/batches.cpp
+  visibility/cones.cpp
   visibility/corners.cpp
   visibility/deep_segments.cpp
   visibility/errors.cpp

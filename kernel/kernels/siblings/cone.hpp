@@ -40,9 +40,13 @@ BehindCone behind_all(const ConePlane* planes, std::size_t number, unsigned coun
     std::uint64_t certain = here;
     for (std::size_t i = 0; i != number && possible != 0; ++i) {
       const Heights<L> of = heights(planes[i], lane);
-      possible &= ~(L::bits(L::less(L::all(planes[i].in_front), of.highest)) << lane);
-      possible &= ~(L::bits(L::less(L::all(planes[i].in_plane), of.lowest)) << lane);
-      certain &= L::bits(L::less(of.highest, L::all(-planes[i].behind))) << lane;
+      const ConePlane& plane = planes[i];
+      const auto above = L::either(L::less(L::all(plane.possible.highest), of.highest),
+                                   L::less(L::all(plane.possible.lowest), of.lowest));
+      const auto behind_it = L::both(L::less_equal(of.highest, L::all(plane.certain.highest)),
+                                     L::less_equal(of.lowest, L::all(plane.certain.lowest)));
+      possible &= ~(L::bits(above) << lane);
+      certain &= L::bits(behind_it) << lane;
     }
     behind.possible &= ~here | possible;
     behind.certain |= certain & possible;

@@ -82,16 +82,19 @@ struct PlaneRow {
   unsigned lane;      ///< which of them it is
 };
 
-/// A plane behind which what a solid hides from one end lies. A point whose computed normal·p − offset is above
-/// `in_front` is in front of it, and one with a value below −`behind` is behind it: for a face of a hull, by more than
-/// the tolerance. A patch all of whose corners have values above `in_plane` is not. All are infinite where floats
-/// overflow.
+/// A plane behind which what a solid hides from one end lies. Of the computed heights normal·p − offset of a patch's
+/// corners, the highest must be at most `highest`, and the lowest at most `lowest`: if they are above what is possible,
+/// the patch is not behind the plane, and if they are not above what is certain, it is. Where floats overflow, all is
+/// possible, and nothing is certain.
 struct ConePlane {
   float normal[3];
   float offset;
-  float in_front;
-  float behind;
-  float in_plane;
+  struct Limits {
+    float highest;
+    float lowest;
+  };
+  Limits possible;
+  Limits certain;
 };
 
 /// Lanes behind all planes of a cone: those that may be, and those among them that are for certain.
