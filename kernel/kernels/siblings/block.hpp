@@ -25,7 +25,8 @@ class SolidInLanes {
   }
 
   /// Siblings of `asked` that it blocks.
-  [[nodiscard]] std::uint64_t occluded(const Siblings& siblings, std::uint64_t asked) const noexcept {
+  SHAFTCULL_ALWAYS_INLINE [[nodiscard]] std::uint64_t occluded(const Siblings& siblings,
+                                                               std::uint64_t asked) const noexcept {
     if (!siblings.solids_around_ends) [[unlikely]]
       asked &= ~reaching_ends(siblings, asked);
     std::uint64_t occluded = 0;
@@ -54,7 +55,8 @@ class SolidInLanes {
   }
 
   /// Siblings of `asked` that it may block.
-  [[nodiscard]] std::uint64_t may_block(const Siblings& siblings, std::uint64_t asked) const noexcept {
+  SHAFTCULL_ALWAYS_INLINE [[nodiscard]] std::uint64_t may_block(const Siblings& siblings,
+                                                                std::uint64_t asked) const noexcept {
     std::uint64_t possible = siblings.inexact;
     for (unsigned lane = 0; lane < siblings.count; lane += L::width) {
       if ((asked & lanes_of<L>(lane)) == 0) continue;
@@ -120,7 +122,7 @@ class SolidInLanes {
   }
 
   /// As BoundInLanes has it.
-  [[nodiscard]] Vector largest_sum(const Siblings& siblings, unsigned lane) const noexcept {
+  SHAFTCULL_ALWAYS_INLINE [[nodiscard]] Vector largest_sum(const Siblings& siblings, unsigned lane) const noexcept {
     Vector since[3];
     Vector until[3];
     const Vector none = L::all(0.0F);
