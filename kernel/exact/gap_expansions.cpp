@@ -22,6 +22,14 @@ Expansion<16> scaled_gap(const Gap& gap, const Ratio& t) noexcept {
 /// stack.
 constexpr std::size_t most_terms = 596 + 524;
 
+/// Adds x². Its terms are added as they are found: all of them would take 4 KB of the stack.
+void add_square(Expansion<most_terms>& sum, const Expansion<16>& x) noexcept {
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const auto row = x * x[i];
+    for (std::size_t k = 0; k < row.size(); ++k) sum.grow(row[k]);
+  }
+}
+
 /// Sign of f′(t), exactly.
 int derivative_sign(const Gaps& gaps, const Ratio& t) noexcept {
   Expansion<6 * 64> sum;
@@ -40,8 +48,7 @@ SHAFTCULL_NOINLINE int excess_at(const Gaps& gaps, const Ratio& t, double radius
   for (unsigned g = 0; g < gaps.count; ++g) {
     const auto gap = scaled_gap(gaps.gap[g], t);
     if (gap.sign() <= 0) continue;
-    const auto square = gap * gap;
-    for (std::size_t i = 0; i < square.size(); ++i) sum.grow(square[i]);
+    add_square(sum, gap);
   }
   const auto limit = t.denominator * t.denominator * (radius * radius);
   for (std::size_t i = 0; i < limit.size(); ++i) sum.grow(-limit[i]);
@@ -67,8 +74,7 @@ SHAFTCULL_NOINLINE int excess_between(const Gaps& gaps, const Ratio& low, const 
     const auto slope = active[g]->exact_slope();
     for (unsigned h = g + 1; h < count; ++h) {
       const auto cross = start * active[h]->exact_slope() - active[h]->exact_start() * slope;
-      const auto square = cross * cross;
-      for (std::size_t i = 0; i < square.size(); ++i) sum.grow(square[i]);
+      add_square(sum, cross);
     }
     const auto limit = slope * slope * (radius * radius);
     for (std::size_t i = 0; i < limit.size(); ++i) sum.grow(-limit[i]);
