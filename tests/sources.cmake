@@ -35,8 +35,11 @@ endif()
 if(SHAFTCULL_SYSTEM_PYTHON)
   add_test(NAME report COMMAND ${SHAFTCULL_SYSTEM_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/bench/report_test.py)
   set_tests_properties(report PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 300 ENVIRONMENT MPLCONFIGDIR=${CMAKE_CURRENT_BINARY_DIR}/matplotlib)
+  # Every time in the README and the headers is listed with its row of the benchmark.
+  add_test(NAME documents.figures COMMAND ${SHAFTCULL_SYSTEM_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/bench/figures_test.py)
+  set_tests_properties(documents.figures PROPERTIES TIMEOUT 60)
 else()
-  message(STATUS "No test report: there is no python3 on this machine")
+  message(STATUS "No tests report and documents.figures: there is no python3 on this machine")
 endif()
 
 add_test(NAME compilers COMMAND ${CMAKE_COMMAND} -D ROOT=${PROJECT_SOURCE_DIR} -P ${CMAKE_CURRENT_SOURCE_DIR}/compilers.cmake)

@@ -27,11 +27,27 @@ namespace {
 using namespace shaftcull::bench;
 
 constexpr std::array families{
-    declare_paper,    declare_form,         declare_many,      declare_volumes,
-    declare_contact,  declare_hull,         declare_outputs,   declare_occluded,
-    declare_memory,   declare_small,        declare_sweep,     declare_roofline,
-    declare_tree,     declare_picking,      declare_frame,     declare_flat_against_tree,
-    declare_touching, declare_short_sweeps, declare_triangles, declare_sees,
+    declare_paper,
+    declare_form,
+    declare_many,
+    declare_volumes,
+    declare_contact,
+    declare_hull,
+    declare_outputs,
+    declare_occluded,
+    declare_memory,
+    declare_small,
+    declare_single,
+    declare_sweep,
+    declare_roofline,
+    declare_tree,
+    declare_picking,
+    declare_frame,
+    declare_flat_against_tree,
+    declare_touching,
+    declare_short_sweeps,
+    declare_triangles,
+    declare_sees,
 #ifdef SHAFTCULL_BENCH_WITH_AVX2
     declare_exact,
 #endif

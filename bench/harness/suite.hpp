@@ -107,6 +107,8 @@ void declare_triangles(Suite& suite, const Workload& workload);
 void declare_memory(Suite& suite, const Workload& workload);
 /// small/…: one shaft × one word of bounds
 void declare_small(Suite& suite, const Workload& workload);
+/// single/…: one shaft or hull formed, one bound asked
+void declare_single(Suite& suite, const Workload& workload);
 /// sweep/…: by bounds, by shafts, by threads
 void declare_sweep(Suite& suite, const Workload& workload);
 /// roofline/…: what this machine can do at most

@@ -43,6 +43,14 @@ command_report() {
   "$python" "$root/bench/report.py" "$@"
 }
 
+# figures [summary]: whether the times that README, headers and pages give are those that bench has measured
+command_figures() {
+  packages=(python3:python3)
+  needed_elsewhere="Python 3.9"
+  install_missing
+  python3 "$root/bench/figures.py" "$@"
+}
+
 # cluster [RANKS]
 command_cluster() {
   local ranks=${1:-2}

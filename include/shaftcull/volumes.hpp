@@ -10,7 +10,7 @@
 ///
 /// All calls throw InvalidArgument for a box that is not finite or has lo > hi, for a plane that is not finite or has
 /// no normal, and for more than max_added_planes planes. Planes are added as by compile(a, b, planes). A call takes
-/// 60 to 90 ns, allocates nothing and is safe from many threads.
+/// 17 to 90 ns, allocates nothing and is safe from many threads.
 #pragma once
 
 #include <span>
