@@ -152,10 +152,14 @@ typedef struct shaftcull_kept_counts {
 } shaftcull_kept_counts;
 
 /// The bound that a moving box reaches first, and the time, rounded down. If there is none: SHAFTCULL_NONE, +∞ and 0.
+/// The normal has unit length, and points from the bound towards the moving box: ±x, ±y or ±z for a box. It is zero
+/// without a bound, and if the two overlap at the start, or touch there without the box moving into the bound.
 typedef struct shaftcull_contact_found {
-  uint64_t index; /* of the bound */
-  float time;     /* of first contact */
-  uint32_t found; /* 1, or 0 for none */
+  uint64_t index;    /* of the bound */
+  float time;        /* of first contact */
+  uint32_t found;    /* 1, or 0 for none */
+  float normal[3];   /* of contact */
+  uint32_t reserved; /* 0 */
 } shaftcull_contact_found;
 
 /// Whether a shaft keeps bounds that touch it without reaching into it.
@@ -623,7 +627,7 @@ SHAFTCULL_API shaftcull_status shaftcull_any(const shaftcull_shafts* shafts, uin
                                              uint64_t* any);
 
 /// Writes the bound that the moving box of each shaft reaches first, and when: `count` elements. Not for hulls, nor for
-/// triangles. Queries about several shafts allocate 8 bytes per shaft. With skip_overlapping of the query, bounds that
+/// triangles. Queries about several shafts allocate 20 bytes per shaft. With skip_overlapping of the query, bounds that
 /// the box overlaps at the start are left out: with closed contact all that touch it, whose time is 0; with open
 /// contact those whose relative interiors meet that of the box, so that a wall which the box only touches still stops
 /// it.

@@ -32,8 +32,9 @@ namespace shaftcull {
 namespace {
 
 /// First contact by the definition: of the bounds that are not outside, the one with the least time.
-template <class Hull, class TimeOf, class Bound>
-FirstContact expected_contact(const Hull& hull, const TimeOf& time_of, const std::vector<Bound>& bounds) {
+template <class Hull, class TimeOf, class NormalOf, class Bound>
+FirstContact expected_contact(const Hull& hull, const TimeOf& time_of, const NormalOf& normal_of,
+                              const std::vector<Bound>& bounds) {
   FirstContact first;
   decltype(time_of(bounds[0])) least;
   for (std::size_t i = 0; i != bounds.size(); ++i) {
@@ -47,11 +48,14 @@ FirstContact expected_contact(const Hull& hull, const TimeOf& time_of, const std
     least = time;
     first = {static_cast<std::uint32_t>(i), oracle::rounded_down(*time)};
   }
+  if (first) first.normal = normal_of(bounds[first.index]);
   return first;
 }
 
 std::string text_of(const FirstContact& contact) {
-  return std::to_string(contact.index) + " at " + std::to_string(contact.time);
+  std::string text = std::to_string(contact.index) + " at " + std::to_string(contact.time) + ", normal";
+  for (const float n : contact.normal) text += ' ' + std::to_string(n);
+  return text;
 }
 
 /// Asks a view and trees, whose first contact must be the one expected.
@@ -81,14 +85,16 @@ template <class Bound>
 void expect_contact(const ShaftInput& input, const std::vector<Bound>& bounds) {
   const auto expected = expected_contact(
       oracle::Hull(input.a, input.b, input.added),
-      [&](const Bound& bound) { return oracle::entry_time(input.a, input.b, bound); }, bounds);
+      [&](const Bound& bound) { return oracle::entry_time(input.a, input.b, bound); },
+      [&](const Bound& bound) { return oracle::contact_normal(input.a, input.b, bound); }, bounds);
   expect_contact(shaft_of(input), bounds, expected, source_text(input));
 }
 
 template <class Bound>
 void expect_contact(const MovingInput& input, const std::vector<Bound>& bounds) {
   const auto expected = expected_contact(
-      oracle::MovingHull(input), [&](const Bound& bound) { return oracle::entry_time(input, bound); }, bounds);
+      oracle::MovingHull(input), [&](const Bound& bound) { return oracle::entry_time(input, bound); },
+      [&](const Bound& bound) { return oracle::contact_normal(input, bound); }, bounds);
   expect_contact(shaft_of(input), bounds, expected, source_text(input));
 }
 
@@ -240,6 +246,7 @@ TEST(FirstContact, TellsTimesApartThatDoublesCannotTellApart) {
     const Box reached_by_y{{-far, y.place, 0}, {far, far, 1}};
     expect_contact(input, std::vector<Box>{reached_by_x, reached_by_y});
     expect_contact(input, std::vector<Box>{reached_by_y, reached_by_x});
+    expect_contact(input, std::vector<Box>{Box{{x.place, y.place, 0}, {far, far, 1}}});  // by the later of both
     const bool is_x_first = x.time() < y.time();
     if (is_x_first != (x.rounded_time() < y.rounded_time())) ++misled;
   }
@@ -275,8 +282,9 @@ TEST(FirstContact, IsTheLowestIndexOfThoseThatTouchAtTheStart) {
     boxes[0] = {{9, 0, 0}, {10, 1, 1}};
     boxes[1] = {{1.5F, 0, 0}, {2, 1, 1}};
     const BoxTree tree{std::span<const Box>(boxes)};
-    EXPECT_EQ(first_contact(shaft, tree), (FirstContact{2, 0}));
-    EXPECT_EQ(first_contact(shaft, BoxColumns(boxes).view()), (FirstContact{2, 0}));
+    const FirstContact expected{2, 0, {-1, 0, 0}};
+    EXPECT_EQ(first_contact(shaft, tree), expected);
+    EXPECT_EQ(first_contact(shaft, BoxColumns(boxes).view()), expected);
   });
 }
 
