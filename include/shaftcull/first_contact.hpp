@@ -20,6 +20,9 @@
 /// interior; if the radius of a sphere is infinite or NaN, or a coordinate of a bound is NaN, the bound is as little
 /// constrained as in the times.
 ///
+/// A *skin*, a distance that counts as touching, is no option: cast a body that is larger by it, swept(inflated(body,
+/// skin), travel). Then the bounds that come as near as the skin on every axis are reached, at that time.
+///
 /// Planes added to the shaft leave out bounds beyond them, as in every query. Open contact (set_contact()) leaves out
 /// bounds that the moving box only touches, such as a floor along which a body slides. Neither changes the times of
 /// other bounds. If a coordinate of a kept bound is infinite or NaN, it puts no constraint on the entry time; if the

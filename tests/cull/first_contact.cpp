@@ -26,6 +26,7 @@
 #include "oracle/quick_hull.hpp"
 #include "oracle/shaft_input.hpp"
 #include "sanitizers.hpp"
+#include "shaftcull/geometry.hpp"
 #include "shaftcull/volumes.hpp"
 
 namespace shaftcull {
@@ -286,6 +287,31 @@ TEST(FirstContact, IsTheLowestIndexOfThoseThatTouchAtTheStart) {
     EXPECT_EQ(first_contact(shaft, tree), expected);
     EXPECT_EQ(first_contact(shaft, BoxColumns(boxes).view()), expected);
   });
+}
+
+TEST(FirstContact, OfABodyGrownByASkinIsWhatComesThatNear) {
+  Random random(805);
+  for (unsigned i = 0; i != random_cases(300) && !HasFailure(); ++i) {
+    constexpr float skin = 0.25F;  // so that sums are exact
+    const MovingInput body{
+        MovingInput::Kind::swept, random.grid_box(-4, 4), {random.integer(-6, 6), random.integer(-6, 6), 3}};
+    std::vector<Box> boxes;
+    std::vector<Box> grown;  // meets the body when the box is that near to it, on every axis
+    while (boxes.size() != 24) {
+      boxes.push_back(random.grid_box(-12, 12));
+      grown.push_back(boxes.back());
+      for (std::size_t k = 0; k != 3; ++k) {
+        grown.back().lo[k] -= skin;
+        grown.back().hi[k] += skin;
+      }
+    }
+    const FirstContact expected = expected_contact(
+        oracle::MovingHull(body), [&](const Box& box) { return oracle::entry_time(body, box); },
+        [&](const Box& box) { return oracle::contact_normal(body, box); }, grown);
+    const CompiledShaft shaft = swept(inflated(body.box, skin), body.displacement);
+    EXPECT_EQ(first_contact(shaft, BoxTree(boxes)), expected) << source_text(body);
+    EXPECT_EQ(first_contact(shaft, BoxColumns(boxes).view()), expected) << source_text(body);
+  }
 }
 
 TEST(FirstContact, IsNothingWhereNothingIsKept) {
