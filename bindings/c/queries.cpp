@@ -75,7 +75,11 @@ shaftcull_kept_counts from_counts(const KeptCounts& counts) noexcept { return {c
 
 shaftcull_contact_found from_contact(const FirstContact& contact) noexcept {
   const bool found = static_cast<bool>(contact);
-  return {found ? std::uint64_t{contact.index} : SHAFTCULL_NONE, contact.time, found ? 1U : 0U};
+  return {found ? std::uint64_t{contact.index} : SHAFTCULL_NONE,
+          contact.time,
+          found ? 1U : 0U,
+          {contact.normal[0], contact.normal[1], contact.normal[2]},
+          0};
 }
 
 /// Has call(elements) write as many elements as `out` has, and converts them.

@@ -27,6 +27,8 @@ constexpr Family all[] = {
      0x8748df6876a6c65fU},
     {"first contact", "what moving boxes reach first, and when they reach each bound that they do", all_ways,
      first_contacts, 600, 3817, 0x27caeb5e952bb7e6U, 0x1923864c03c1de61U},
+    {"contact normals", "normals of contact of moving boxes with each bound alone", all_ways, contact_normals, 300,
+     1900, 0x65b598401279b2b2U, 0x1efe37faf74bba1cU},
     {"trees of boxes", "tree order; lists, counts and first contacts", one_or_many, box_trees, 2, 21,
      0x38580d059d4c45b0U, 0x5e16d53c1c2344ecU},
     {"trees of spheres", "the same of spheres", one_or_many, sphere_trees, 2, 21, 0x9aa473044558ac90U,

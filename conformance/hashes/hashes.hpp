@@ -52,6 +52,7 @@ std::uint64_t triangles_by_vertices(std::uint64_t scenes, Way way);
 std::uint64_t triangles_exactly(std::uint64_t scenes, Way way);
 std::uint64_t what_blocks(std::uint64_t scenes, Way way);
 std::uint64_t first_contacts(std::uint64_t scenes, Way way);
+std::uint64_t contact_normals(std::uint64_t scenes, Way way);
 std::uint64_t box_trees(std::uint64_t scenes, Way way);
 std::uint64_t sphere_trees(std::uint64_t scenes, Way way);
 std::uint64_t triangle_trees(std::uint64_t scenes, Way way);

@@ -51,24 +51,44 @@ std::uint64_t answers(std::uint64_t scenes, Way way, Contact contact) {
   return digest.value();
 }
 
+template <class View>
+FirstContact contact_of(const CompiledShaft& shaft, const CompiledShaft& in_form, const View& view, Way way) {
+  if (way != Way::many) return first_contact(in_form, view);
+  FirstContact contact;
+  first_contact_many({&shaft, 1}, view, {&contact, 1});
+  return contact;
+}
+
+CompiledShaft in_form(const CompiledShaft& shaft, Way way) {
+  CompiledShaft in_form = shaft;
+  if (way == Way::planes) set_form(in_form, Form::planes);
+  return in_form;
+}
+
 /// The first contact, and when each of the bounds that are kept is reached.
 template <class View>
 void add_times(const CompiledShaft& shaft, const View& view, Way way, Digest& digest) {
-  FirstContact contact;
-  CompiledShaft in_form = shaft;
-  if (way == Way::planes) set_form(in_form, Form::planes);
-  if (way == Way::many) {
-    first_contact_many({&shaft, 1}, view, {&contact, 1});
-  } else {
-    contact = first_contact(in_form, view);
-  }
+  const CompiledShaft formed = in_form(shaft, way);
+  const FirstContact contact = contact_of(shaft, formed, view, way);
   digest.add(contact ? contact.index : ~std::uint64_t{0});
   digest.add_float(contact.time);
   std::vector<std::uint32_t> kept;
-  list(in_form, view, kept);
+  list(formed, view, kept);
   std::vector<float> times(kept.size());
   entry_times(shaft, view, kept, times);
   for (const float time : times) digest.add_float(time);
+}
+
+/// The normal of the contact with each bound alone that is kept.
+template <class View>
+void add_normals(const CompiledShaft& shaft, const View& view, Way way, Digest& digest) {
+  const CompiledShaft formed = in_form(shaft, way);
+  for (std::size_t i = 0; i != view.count; ++i) {
+    View one = view;
+    for (const float*& stream : one.stream) stream += i;
+    one.count = 1;
+    for (const float n : contact_of(shaft, formed, one, way).normal) digest.add_float(n);
+  }
 }
 
 }  // namespace
@@ -83,6 +103,17 @@ std::uint64_t first_contacts(std::uint64_t scenes, Way way) {
     const Scene here = scene(s, numbers);
     add_times(here.shaft, BoxColumns(here.boxes).view(), way, digest);
     add_times(here.shaft, SphereColumns(here.spheres).view(), way, digest);
+  }
+  return digest.value();
+}
+
+std::uint64_t contact_normals(std::uint64_t scenes, Way way) {
+  Numbers numbers;
+  Digest digest;
+  for (std::size_t s = 0; s != scenes; ++s) {
+    const Scene here = scene(s, numbers);
+    add_normals(here.shaft, BoxColumns(here.boxes).view(), way, digest);
+    add_normals(here.shaft, SphereColumns(here.spheres).view(), way, digest);
   }
   return digest.value();
 }

@@ -162,7 +162,80 @@ struct FacesOfMovingBox {
         }) {
     if (!input.is_endless()) times.to = input.is_shadow() ? mpq_class(mpq_class(input.reach) - 1) : mpq_class(1);
   }
+  [[nodiscard]] bool moves() const { return !times.to || *times.to > 0; }
 };
+
+/// The normal of the contact of a moving box with `box` at a time: on each axis the intervals of both are compared at
+/// that time, and where they were before it.
+Vec3 normal_at(const mpq_class& time, const FaceOf& lo, const FaceOf& hi, const Box& box) {
+  Vec3 normal{};
+  for (std::size_t k = 0; k != 3; ++k) {
+    // Beyond the bound's hi, or before its lo, up to this time.
+    const auto arrives = [&](const Face& face, float at, int side) {
+      if (std::isinf(at)) return false;
+      const bool is_there = face.start + time * face.speed == mpq_class(at);
+      return is_there && side * sgn(face.speed) < 0;
+    };
+    normal[k] = arrives(lo(k), box.hi[k], 1) ? 1.0F : arrives(hi(k), box.lo[k], -1) ? -1.0F : 0.0F;
+    if (normal[k] != 0) break;
+  }
+  return normal;
+}
+
+/// −1, 0 or 1: the sign of x + y √square.
+int sign_of_sum(const mpq_class& x, const mpq_class& y, const mpq_class& square) {
+  const int of_x = sgn(x);
+  const int of_root = square == 0 ? 0 : sgn(y);
+  if (of_x == 0 || of_x == of_root) return of_root;
+  if (of_root == 0) return of_x;
+  return of_x * cmp(mpq_class(x * x), mpq_class(y * y * square));
+}
+
+/// x + y √square, which is from 0 to 1, rounded to nearest, to even.
+float nearest_float(const mpq_class& x, const mpq_class& y, const mpq_class& square) {
+  std::uint32_t low = 0;
+  std::uint32_t high = std::bit_cast<std::uint32_t>(1.0F);
+  while (low != high) {
+    const std::uint32_t below = low + (high - low) / 2;
+    const mpq_class middle = (mpq_class(std::bit_cast<float>(below)) + mpq_class(std::bit_cast<float>(below + 1))) / 2;
+    const int side = sign_of_sum(x - middle, y, square);
+    if (side > 0 || (side == 0 && below % 2 == 1)) {
+      low = below + 1;
+    } else {
+      high = below;
+    }
+  }
+  return std::bit_cast<float>(low);
+}
+
+/// As normal_at(), of a sphere.
+Vec3 normal_of_sphere_at(const RootTime& time, const FaceOf& lo, const FaceOf& hi, const Sphere& sphere) {
+  if (std::isinf(sphere.radius)) return {};
+  if (sphere.radius == 0) return normal_at(time.whole, lo, hi, {sphere.centre, sphere.centre});
+  if (time == RootTime{}) {
+    // A half of how fast the squared distance grows.
+    mpq_class growth = 0;
+    for (std::size_t k = 0; k != 3; ++k) {
+      const mpq_class c = sphere.centre[k];
+      if (lo(k).start > c) growth += (lo(k).start - c) * lo(k).speed;
+      if (hi(k).start < c) growth += (hi(k).start - c) * hi(k).speed;
+    }
+    if (excess_at(0, lo, hi, sphere) < 0 || growth >= 0) return {};
+  }
+  Vec3 normal{};
+  for (std::size_t k = 0; k != 3; ++k) {
+    // How far a face is from the centre then, as a share of the radius: x + y √square.
+    const auto share = [&](const Face& face, int side) {
+      const mpq_class x =
+          side * (face.start + time.whole * face.speed - mpq_class(sphere.centre[k])) / mpq_class(sphere.radius);
+      const mpq_class y = -side * face.speed / mpq_class(sphere.radius);
+      return sign_of_sum(x, y, time.square) > 0 ? nearest_float(x, y, time.square) : 0.0F;
+    };
+    if (const float of_lo = share(lo(k), 1); of_lo != 0) normal[k] = of_lo;
+    if (const float of_hi = share(hi(k), -1); of_hi != 0) normal[k] = -of_hi;
+  }
+  return normal;
+}
 
 /// The largest float whose value, as `Time`, is not larger than a time.
 template <class Time>
@@ -212,6 +285,26 @@ std::optional<mpq_class> entry_time(const MovingInput& input, const Box& box) {
 std::optional<RootTime> entry_time(const MovingInput& input, const Sphere& sphere) {
   const FacesOfMovingBox faces(input);
   return first_time_of_sphere(faces.times, faces.lo, faces.hi, sphere);
+}
+
+Vec3 contact_normal(const Box& a, const Box& b, const Box& box) {
+  const FacesBetween faces(a, b);
+  return normal_at(entry_time(a, b, box).value(), faces.lo, faces.hi, box);
+}
+
+Vec3 contact_normal(const MovingInput& input, const Box& box) {
+  const FacesOfMovingBox faces(input);
+  return faces.moves() ? normal_at(entry_time(input, box).value(), faces.lo, faces.hi, box) : Vec3{};
+}
+
+Vec3 contact_normal(const Box& a, const Box& b, const Sphere& sphere) {
+  const FacesBetween faces(a, b);
+  return normal_of_sphere_at(entry_time(a, b, sphere).value(), faces.lo, faces.hi, sphere);
+}
+
+Vec3 contact_normal(const MovingInput& input, const Sphere& sphere) {
+  const FacesOfMovingBox faces(input);
+  return faces.moves() ? normal_of_sphere_at(entry_time(input, sphere).value(), faces.lo, faces.hi, sphere) : Vec3{};
 }
 
 float rounded_down(const mpq_class& time) { return largest_float_not_above(time); }

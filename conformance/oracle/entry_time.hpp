@@ -34,6 +34,17 @@ struct RootTime {
 std::optional<RootTime> entry_time(const Box& a, const Box& b, const Sphere& sphere);
 std::optional<RootTime> entry_time(const MovingInput& input, const Sphere& sphere);
 
+/// The unit vector from `box` towards box(t) at its entry time, along the lowest axis on which the two have a common
+/// point from then on and not before; zero if there is no such axis.
+Vec3 contact_normal(const Box& a, const Box& b, const Box& box);
+Vec3 contact_normal(const MovingInput& input, const Box& box);
+
+/// The unit vector from the centre of the sphere towards the nearest point of box(t) at the entry time, each component
+/// rounded to nearest, to even; that of a point if the radius is 0. Zero if the distance is less than the radius then,
+/// or does not shrink.
+Vec3 contact_normal(const Box& a, const Box& b, const Sphere& sphere);
+Vec3 contact_normal(const MovingInput& input, const Sphere& sphere);
+
 /// The largest float that is not larger than a time, which is not negative.
 float rounded_down(const mpq_class& time);
 float rounded_down(const RootTime& time);

@@ -121,6 +121,10 @@ void ask() {
          "what is in view, by its planes alone");
   expect(first_contact(swept(body, travel), tree).index == 0, "the body itself");
   expect(first_contact(swept(body, travel), tree, {.exclude = {me}}).index == 1, "contact");
+  const float skin = 0.25F;
+  expect(first_contact(swept(inflated(body, skin), travel), tree, {.exclude = {me}}).time <
+             first_contact(swept(body, travel), tree, {.exclude = {me}}).time,
+         "what comes nearer than a skin");
   expect(count(shaft, tree, {.layer_mask = {mask}}) == 1, "layers");
   IndexLists lists;
   list_many(shafts, tree, lists);

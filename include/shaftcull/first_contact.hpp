@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// First contact: the bound that the moving box of a shaft reaches first, and the time of the contact.
+/// First contact: the bound that the moving box of a shaft reaches first, the time of the contact, and its normal.
 ///
 /// A shaft between boxes a and b is the volume that a box sweeps over when it moves from a, at time 0, to b, at time 1.
 /// Each of its six faces has its own speed. For a swept body (volumes.hpp), time is the share of the displacement, or a
@@ -20,6 +20,9 @@
 /// interior; if the radius of a sphere is infinite or NaN, or a coordinate of a bound is NaN, the bound is as little
 /// constrained as in the times.
 ///
+/// A *skin*, a distance that counts as touching, is no option: cast a body that is larger by it, swept(inflated(body,
+/// skin), travel). Then the bounds that come as near as the skin on every axis are reached, at that time.
+///
 /// Planes added to the shaft leave out bounds beyond them, as in every query. Open contact (set_contact()) leaves out
 /// bounds that the moving box only touches, such as a floor along which a body slides. Neither changes the times of
 /// other bounds. If a coordinate of a kept bound is infinite or NaN, it puts no constraint on the entry time; if the
@@ -29,6 +32,15 @@
 /// trees. The time that is written is the exact time rounded down to a finite float: the moving box touches nothing
 /// before it. Entry times of spheres are irrational in general: they are roots of quadratic polynomials, and are
 /// compared as such.
+///
+/// The *normal of contact* has unit length and points from the bound towards the moving box. For a box it is one of ±x,
+/// ±y and ±z: that of the pair of faces which meet last, at the exact entry time. If several pairs meet at that time,
+/// as at an edge or a corner, the normal is along the lowest axis. For a sphere it points from the centre to the
+/// nearest point of the moving box at the exact entry time; each component is the real number rounded to the nearest
+/// float. A sphere of radius 0 is a box that is a point. The normal is zero if the bound overlaps the moving box at the
+/// start, or touches it there without the box moving into it: no face, or no nearest point, is then what the box runs
+/// into. To slide along the bound, remove from the displacement its component along the normal
+/// (docs/recipes/sliding.md).
 ///
 /// Bounds are boxes or spheres. Triangles are refused, and so is a convex hull (hull.hpp), in which nothing moves, with
 /// InvalidArgument. Options, errors, threads and stack: query.hpp and many.hpp. Calls for many shafts allocate only
@@ -40,6 +52,7 @@
 #include <limits>
 #include <span>
 
+#include "shaftcull/bounds.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/export.hpp"
 #include "shaftcull/query.hpp"
@@ -53,6 +66,8 @@ struct FirstContact {
 
   std::uint32_t index = none;  ///< position in a view, the user's index in a tree; `none` without a contact
   float time = std::numeric_limits<float>::infinity();  ///< entry time, rounded down; +∞ without a contact
+  Vec3 normal{};  ///< of contact, from the bound towards the moving box; zero if the start overlaps, or without a
+                  ///< contact
 
   /// Whether there is a contact.
   constexpr explicit operator bool() const noexcept { return index != none; }

@@ -39,6 +39,21 @@ int EntryTimes::compare(const Time& one, const Time& other) const noexcept {
   return -Edge(moving_, one.face, other.face).side(one.x, other.x);
 }
 
+Vec3 EntryTimes::normal(const Time& time, const float* const* stream, std::size_t i) const noexcept {
+  unsigned last = no_face;
+  for (unsigned n = 0; n < faces_; ++n) {
+    const Face& face = face_[n];
+    const float x = stream[face.near][i];
+    if (!std::isfinite(x) || (last != no_face && last % 3 <= face.face % 3)) continue;
+    const Time reached{(x - face.p) * face.inverse, face.face, x};
+    const bool is_last = time.is_zero() ? reached.value == 0 : compare(reached, time) == 0;
+    if (is_last) last = face.face;
+  }
+  Vec3 normal{};
+  if (last != no_face) normal[last % 3] = last < 3 ? 1.0F : -1.0F;
+  return normal;
+}
+
 float EntryTimes::rounded_down(const Time& time) const noexcept {
   if (time.is_zero()) return 0;
   const unsigned f = time.face;

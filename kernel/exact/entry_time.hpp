@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "compiled/moving_faces.hpp"
+#include "shaftcull/bounds.hpp"
 
 namespace shaftcull::kernel {
 
@@ -60,6 +61,10 @@ class EntryTimes {
 
   /// The largest float that is not larger.
   [[nodiscard]] float rounded_down(const Time& time) const noexcept;
+
+  /// The normal of contact with a bound at position i, which is reached at `time`: along the lowest axis of those whose
+  /// constraints hold from then on. Zero if there is none, as the box does not move into the bound.
+  [[nodiscard]] Vec3 normal(const Time& time, const float* const* stream, std::size_t i) const noexcept;
 
   /// For the boxes around some bounds.
   [[nodiscard]] const EntryTimes& times_of_boxes() const noexcept { return *this; }

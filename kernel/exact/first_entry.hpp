@@ -19,7 +19,7 @@ template <class View>
 using EntryTimesOf = std::conditional_t<std::is_same_v<View, SphereView>, SphereEntryTimes, EntryTimes>;
 
 /// The bound with the least entry time of those offered, and of several the one with the lowest index; without those
-/// that the moving box overlaps at the start, if these are skipped. The shaft outlives it.
+/// that the moving box overlaps at the start, if these are skipped. The shaft and what is offered outlive it.
 template <class View>
 class FirstEntry {
  public:
@@ -37,6 +37,8 @@ class FirstEntry {
     if (order > 0 || (order == 0 && index_ < index)) return;
     time_ = time;
     index_ = index;
+    stream_ = stream;
+    position_ = i;
   }
   /// Whether no bound within a box with such a rough entry time, or a later one, and such an index, or a higher one,
   /// can be first.
@@ -58,7 +60,7 @@ class FirstEntry {
   [[nodiscard]] std::uint64_t index() const noexcept { return index_; }    ///< `none` if nothing was
   [[nodiscard]] FirstContact contact() const noexcept {
     if (!is_there()) return {};
-    return {static_cast<std::uint32_t>(index_), times_.rounded_down(time_)};
+    return {static_cast<std::uint32_t>(index_), times_.rounded_down(time_), times_.normal(time_, stream_, position_)};
   }
 
  private:
@@ -70,6 +72,8 @@ class FirstEntry {
   bool skips_overlapping_;
   Time time_ = Times::zero;
   std::uint64_t index_ = none;
+  const float* const* stream_ = nullptr;  ///< where that bound is: at this position
+  std::size_t position_ = 0;
 };
 
 }  // namespace shaftcull::kernel

@@ -44,7 +44,7 @@ bool are_on_one_side(const HullData& hull) noexcept {
 
 }  // namespace
 
-SmallHull::SmallHull(const HullData& hull) noexcept : hull_(hull) {
+SmallHull::SmallHull(const HullData& hull) noexcept : hull_(&hull) {
   VertexSet used = 0;
   if (!are_on_one_side(hull) || !begin(used)) return;
   for (unsigned v = 0; v < hull.vertices; ++v) {
@@ -52,15 +52,36 @@ SmallHull::SmallHull(const HullData& hull) noexcept : hull_(hull) {
   }
 }
 
+SmallHull::SmallHull(const HullData& hull, const SmallHull& of_others) noexcept
+    : hull_(&hull), count_(of_others.count_) {
+  const unsigned last = hull.vertices - 1U;
+  std::copy_n(of_others.triangle_, count_, triangle_);
+  for (unsigned v = 0; v < last; ++v) {
+    std::copy_n(of_others.left_of_[v], last, left_of_[v]);
+    std::copy_n(of_others.position_[v], 3, position_[v]);
+  }
+  double growth = 1;
+  for (unsigned k = 0; k < 3; ++k) {
+    std::copy_n(of_others.normal_[k], count_, normal_[k]);
+    position_[last][k] = step_between(hull, 0, last, k).rounded();
+    extent_[k] = std::max(of_others.extent_[k], std::fabs(position_[last][k]));
+    growth = std::max(growth, extent_[k] / of_others.extent_[k]);  // with an interior, no extent is 0
+  }
+  std::copy_n(of_others.offset_, count_, offset_);
+  std::copy_n(of_others.cancelled_, count_, cancelled_);
+  for (unsigned t = 0; t < count_; ++t) error_[t] = of_others.error_[t] * growth * (1 + 0x1p-40);
+  add(last);
+}
+
 /// Makes a tetrahedron of four vertices, if they are not all in one plane.
 bool SmallHull::begin(VertexSet& used) noexcept {
   const auto place = [](unsigned vertex) { return static_cast<std::uint8_t>(vertex); };
-  for (unsigned c = 2; c < hull_.vertices; ++c) {
-    const SpannedPlane plane = plane_through(hull_, {0, 1, place(c)});
+  for (unsigned c = 2; c < hull_->vertices; ++c) {
+    const SpannedPlane plane = plane_through(*hull_, {0, 1, place(c)});
     if (plane.normal(0) == 0 && plane.normal(1) == 0 && plane.normal(2) == 0) continue;  // on a line
-    for (unsigned d = c + 1; d < hull_.vertices; ++d) {
-      const int side =
-          plane.sign_along({step_between(hull_, 0, d, 0), step_between(hull_, 0, d, 1), step_between(hull_, 0, d, 2)});
+    for (unsigned d = c + 1; d < hull_->vertices; ++d) {
+      const int side = plane.sign_along(
+          {step_between(*hull_, 0, d, 0), step_between(*hull_, 0, d, 1), step_between(*hull_, 0, d, 2)});
       if (side == 0) continue;
       take_positions();
       const unsigned p = side > 0 ? c : 1;
@@ -80,9 +101,9 @@ bool SmallHull::begin(VertexSet& used) noexcept {
 
 void SmallHull::take_positions() noexcept {
   std::fill_n(extent_, 3, 0.0);
-  for (unsigned v = 0; v < hull_.vertices; ++v) {
+  for (unsigned v = 0; v < hull_->vertices; ++v) {
     for (unsigned k = 0; k < 3; ++k) {
-      position_[v][k] = step_between(hull_, 0, v, k).rounded();
+      position_[v][k] = step_between(*hull_, 0, v, k).rounded();
       extent_[k] = std::max(extent_[k], std::fabs(position_[v][k]));
     }
   }
@@ -125,7 +146,7 @@ void SmallHull::add(unsigned vertex) noexcept {
 /// The triangles that a vertex is in front of. Those that have it in their planes are told so.
 std::uint64_t SmallHull::seen_from(unsigned vertex) noexcept {
   const double(&x)[3] = position_[vertex];
-  const double share = vertex < hull_.points ? 1 : 0;
+  const double share = vertex < hull_->points ? 1 : 0;
   double height[most_triangles];
   for (unsigned t = 0; t < count_; ++t) {
     height[t] = normal_[0][t] * x[0] + normal_[1][t] * x[1] + normal_[2][t] * x[2] - share * offset_[t];
@@ -146,9 +167,9 @@ std::uint64_t SmallHull::seen_from(unsigned vertex) noexcept {
 int SmallHull::exact_side(unsigned t, unsigned vertex) const noexcept {
   const Triangle& triangle = triangle_[t];
   const unsigned from = triangle.vertex[0];
-  return triangle.sign * plane_through(hull_, triangle.vertex)
-                             .sign_along({step_between(hull_, from, vertex, 0), step_between(hull_, from, vertex, 1),
-                                          step_between(hull_, from, vertex, 2)});
+  return triangle.sign * plane_through(*hull_, triangle.vertex)
+                             .sign_along({step_between(*hull_, from, vertex, 0), step_between(*hull_, from, vertex, 1),
+                                          step_between(*hull_, from, vertex, 2)});
 }
 
 /// Writes a triangle. Its vertices are counterclockwise as seen from outside.
@@ -168,7 +189,7 @@ void SmallHull::set(unsigned t, unsigned a, unsigned b, unsigned c, VertexSet in
   triangle_[t] = {{static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b), static_cast<std::uint8_t>(c)},
                   static_cast<std::int8_t>(sign),
                   in_plane};
-  if (a >= hull_.points) {  // all points are behind for certain, and directions are not in front
+  if (a >= hull_->points) {  // all points are behind for certain, and directions are not in front
     for (auto& component : normal_) component[t] = 0;
     offset_[t] = 1;
     error_[t] = -1;
@@ -177,8 +198,8 @@ void SmallHull::set(unsigned t, unsigned a, unsigned b, unsigned c, VertexSet in
   double u[3];
   double v[3];
   for (unsigned k = 0; k < 3; ++k) {
-    u[k] = step_between(hull_, a, b, k).rounded();
-    v[k] = step_between(hull_, a, c, k).rounded();
+    u[k] = step_between(*hull_, a, b, k).rounded();
+    v[k] = step_between(*hull_, a, c, k).rounded();
   }
   double offset = 0;
   double error = 0;

@@ -31,8 +31,15 @@ class SmallHull {
     [[nodiscard]] unsigned corner(unsigned i) const noexcept { return vertex[sign > 0 || i == 0 ? i : 3 - i]; }
   };
 
+  SmallHull() noexcept = default;  ///< has no triangles; of no hull
   /// Triangulates a hull by its vertices and points. O(n²).
   explicit SmallHull(const HullData& hull) noexcept;
+  /// The same of a hull without directions but for its last vertex, if it has no other vertices than those before that
+  /// one, of which there are triangles. O(n).
+  SmallHull(const HullData& hull, const SmallHull& of_others) noexcept;
+
+  /// Makes a copy that of another hull, which has the same vertices.
+  void refer_to(const HullData& hull) noexcept { hull_ = &hull; }
 
   /// Whether triangles were found. There are none if all vertices are in one plane. Neither are there unless all
   /// directions are on one side of some plane, as far as a search for it finds one.
@@ -40,12 +47,18 @@ class SmallHull {
   [[nodiscard]] unsigned count() const noexcept { return count_; }
   [[nodiscard]] const Triangle& operator[](unsigned t) const noexcept { return triangle_[t]; }
   /// Whether a triangle has nothing but directions.
-  [[nodiscard]] bool is_at_infinity(unsigned t) const noexcept { return triangle_[t].vertex[0] >= hull_.points; }
+  [[nodiscard]] bool is_at_infinity(unsigned t) const noexcept { return triangle_[t].vertex[0] >= hull_->points; }
   /// Component k of the normal of a triangle that is not at infinity, to its front: outwards for sign 1. As that of
   /// SpannedPlane by its vertices.
   [[nodiscard]] double normal(unsigned t, unsigned k) const noexcept {
-    if ((cancelled_[t] >> k & 1U) != 0) return plane_through(hull_, triangle_[t].vertex).normal(k);
+    if ((cancelled_[t] >> k & 1U) != 0) return plane_through(*hull_, triangle_[t].vertex).normal(k);
     return triangle_[t].sign * normal_[k][t];
+  }
+  /// Whether a vertex is in the plane of a triangle. If not, it is within the hull.
+  [[nodiscard]] bool is_in_plane(unsigned vertex) const noexcept {
+    VertexSet in_planes = 0;
+    for (unsigned t = 0; t < count_; ++t) in_planes |= triangle_[t].in_plane;
+    return (in_planes >> vertex & 1U) != 0;
   }
   /// The triangle around which the edge runs counterclockwise.
   [[nodiscard]] unsigned left_of(unsigned from, unsigned to) const noexcept { return left_of_[from][to]; }
@@ -65,7 +78,7 @@ class SmallHull {
   void set(unsigned t, unsigned a, unsigned b, unsigned c, VertexSet in_plane) noexcept;
   void remove(unsigned t) noexcept;
 
-  const HullData& hull_;
+  const HullData* hull_ = nullptr;
   unsigned count_ = 0;
   Triangle triangle_[most_triangles];
   std::uint8_t left_of_[HullData::most_vertices][HullData::most_vertices];

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <optional>
 
 #include "exact/wide_integer.hpp"
+#include "support/compiler.hpp"
 #include "support/exact_floats.hpp"
 
 namespace shaftcull::kernel {
@@ -84,8 +84,13 @@ class WholeGaps {
     }
   }
 
-  /// Whether the sphere is reached after n / d, if these are all of its gaps; d is positive.
-  [[nodiscard]] bool is_reached_after(const WideInteger& n, const WideInteger& d) const noexcept {
+  /// The signs of f and of its derivative.
+  struct Signs {
+    int excess;
+    int slope;
+  };
+  /// At n / d, if these are all of its gaps; d is positive.
+  [[nodiscard]] Signs signs(const WideInteger& n, const WideInteger& d) const noexcept {
     const WideInteger radius = radius_ * d;
     WideInteger excess = -(radius * radius);
     WideInteger half_slope;
@@ -95,27 +100,95 @@ class WholeGaps {
       excess = excess + gap * gap;
       half_slope = half_slope + gap * slope_[g];
     }
-    return excess.sign() > 0 && half_slope.sign() < 0;
+    return {excess.sign(), half_slope.sign()};
+  }
+  /// Whether the sphere is reached after n / d; likewise.
+  [[nodiscard]] bool is_reached_after(const WideInteger& n, const WideInteger& d) const noexcept {
+    const auto [excess, slope] = signs(n, d);
+    return excess > 0 && slope < 0;
   }
 
-  /// When the sphere is reached, if these are the gaps that are positive just before.
-  [[nodiscard]] SmallerRoot time() const noexcept {
+  /// a t² + 2 b t + c, which is f just before the sphere is reached, if these are the gaps that are positive there.
+  struct Polynomial {
     WideInteger a;
     WideInteger b;
-    WideInteger c = -(radius_ * radius_);
+    WideInteger c;
+  };
+  [[nodiscard]] Polynomial polynomial() const noexcept {
+    Polynomial f;
+    f.c = -(radius_ * radius_);
     for (unsigned g = 0; g < count_; ++g) {
-      a = a + slope_[g] * slope_[g];
-      b = b + start_[g] * slope_[g];
-      c = c + start_[g] * start_[g];
+      f.a = f.a + slope_[g] * slope_[g];
+      f.b = f.b + start_[g] * slope_[g];
+      f.c = f.c + start_[g] * start_[g];
     }
-    return {a, b, c};
+    return f;
   }
+  /// When it is reached.
+  [[nodiscard]] SmallerRoot time() const noexcept {
+    const Polynomial f = polynomial();
+    return {f.a, f.b, f.c};
+  }
+
+  [[nodiscard]] const WideInteger& radius() const noexcept { return radius_; }
+  /// Gap g of those named, in the order of their faces: start + t · slope.
+  [[nodiscard]] const WideInteger& start(unsigned g) const noexcept { return start_[g]; }
+  [[nodiscard]] const WideInteger& slope(unsigned g) const noexcept { return slope_[g]; }
 
  private:
   WideInteger radius_;
   WideInteger start_[6];
   WideInteger slope_[6];
   unsigned count_ = 0;
+};
+
+/// How large gaps are when a sphere is reached, as shares of its radius.
+///
+/// The smaller root of a t² + 2 b t + c is (−b − √d) / a with d = b² − a c. So α + t β is then (n − β √d) / a with n =
+/// a α − b β.
+class SharesOfRadius {
+ public:
+  explicit SharesOfRadius(const WholeGaps& gaps) noexcept
+      : gaps_(gaps), f_(gaps.polynomial()), d_(f_.b * f_.b - f_.a * f_.c), whole_(f_.a * gaps.radius()) {}
+
+  /// The share of gap g, rounded to the nearest float, of two the one whose last bit is 0. It is between `low` and
+  /// `high`, which are not negative.
+  [[nodiscard]] float nearest(unsigned g, float low, float high) const noexcept {
+    const WideInteger n = (f_.a * gaps_.start(g) - f_.b * gaps_.slope(g)) * WideInteger::scaled(1, scale);
+    // −1, 0 or 1: whether the share is less than, equal to or more than m / 2^scale.
+    const auto side = [&](const WideInteger& m) {
+      const WideInteger left = n - m * whole_;  // and right, β √d, both times 2^scale / (a r)
+      const int left_sign = left.sign();
+      const int right_sign = d_.sign() == 0 ? 0 : gaps_.slope(g).sign();
+      if (left_sign != right_sign) return left_sign < right_sign ? -1 : 1;
+      const WideInteger right = gaps_.slope(g) * WideInteger::scaled(1, scale);
+      return left_sign * (left * left - right * right * d_).sign();
+    };
+    // Floats that are not negative are in the order of their bits.
+    auto least = std::bit_cast<std::uint32_t>(low);
+    auto most = std::bit_cast<std::uint32_t>(high);
+    if (least == 0 && side(WideInteger()) == 0) return 0;  // as where a corner of the box comes to an axis
+    while (least != most) {
+      const std::uint32_t middle = least + (most - least) / 2;
+      // Both floats are multiples of 2^(1 − scale).
+      const int beyond = side(WideInteger::scaled(std::bit_cast<float>(middle), scale - 1) +
+                              WideInteger::scaled(std::bit_cast<float>(middle + 1), scale - 1));
+      if (beyond > 0 || (beyond == 0 && middle % 2 == 1)) {
+        least = middle + 1;
+      } else {
+        most = middle;
+      }
+    }
+    return std::bit_cast<float>(least);
+  }
+
+ private:
+  static constexpr int scale = 150;  // halves of floats are multiples of 2⁻¹⁵⁰
+
+  const WholeGaps& gaps_;
+  WholeGaps::Polynomial f_;
+  WideInteger d_;
+  WideInteger whole_;  // a r
 };
 
 /// Where gap f of a sphere is zero, as n / d with d > 0, if it is made of floats that differ.
@@ -133,6 +206,34 @@ struct ZeroOfGap {
     d = -d;
   }
 };
+
+// Functions of their own, so that callers have no wide integers on their stacks.
+
+/// Whether a sphere with these gaps is reached after the start.
+SHAFTCULL_COLD bool is_reached_after_start(const MovingFaces& faces, const float (&sphere)[4], unsigned gaps) noexcept {
+  return WholeGaps(faces, sphere, gaps).is_reached_after({}, WideInteger::scaled(1, 0));
+}
+
+/// Whether it is reached after gap f is zero.
+SHAFTCULL_COLD bool is_reached_after_zero(const MovingFaces& faces, const float (&sphere)[4], unsigned gaps,
+                                          unsigned f) noexcept {
+  const ZeroOfGap zero(faces, sphere, f);
+  return WholeGaps(faces, sphere, gaps).is_reached_after(zero.n, zero.d);
+}
+
+/// The share of its radius that gap g of those named in `gaps` is when it is reached, between `low` and `high`.
+SHAFTCULL_COLD float exact_share(const MovingFaces& faces, const float (&sphere)[4], unsigned gaps, unsigned g,
+                                 float low, float high) noexcept {
+  const WholeGaps whole(faces, sphere, gaps);
+  return SharesOfRadius(whole).nearest(g, low, high);
+}
+
+/// Whether the box touches it at the start without overlapping it, and moves into it, if these are the gaps that are
+/// positive there.
+SHAFTCULL_COLD bool is_touched_at_start(const MovingFaces& faces, const float (&sphere)[4], unsigned gaps) noexcept {
+  const auto [excess, slope] = WholeGaps(faces, sphere, gaps).signs({}, WideInteger::scaled(1, 0));
+  return excess == 0 && slope < 0;
+}
 
 /// The largest finite float that is not larger than x ≥ 0.
 float float_below(double x) noexcept {
@@ -235,14 +336,9 @@ SphereEntryTimes::Time SphereEntryTimes::exact(const float* const* stream, std::
   const float(&sphere)[4] = time.sphere;
   if (!std::isfinite(sphere[3])) return zero;
   const Starts starts(faces_, sphere);
-  std::optional<WholeGaps> whole;  // made when it is needed first
-  const auto is_reached_after = [&](const WideInteger& n, const WideInteger& d) {
-    if (!whole) whole.emplace(faces_, sphere, starts.gaps);
-    return whole->is_reached_after(n, d);
-  };
   Place start = place(starts, 0);
   if (start == Place::unknown) {
-    start = is_reached_after({}, WideInteger::scaled(1, 0)) ? Place::before : Place::not_before;
+    start = is_reached_after_start(faces_, sphere, starts.gaps) ? Place::before : Place::not_before;
   }
   if (start == Place::not_before) return zero;
 
@@ -269,8 +365,7 @@ SphereEntryTimes::Time SphereEntryTimes::exact(const float* const* stream, std::
       const double change = starts.start[f] * minus_inverse_[f];
       bool is_over = change * (1 + zero_margin) < time.low;
       if (!is_over && change * (1 - zero_margin) <= time.high) {
-        const ZeroOfGap exactly(faces_, sphere, f);
-        is_over = is_reached_after(exactly.n, exactly.d);
+        is_over = is_reached_after_zero(faces_, sphere, starts.gaps, f);
       }
       is_positive = is_over == (slope > 0);
     } else if (starts.start[f] == 0) {
@@ -315,6 +410,64 @@ float SphereEntryTimes::rounded_down(const Time& time) const noexcept {
     }
   }
   return std::bit_cast<float>(low);
+}
+
+Vec3 SphereEntryTimes::normal(const Time& time, const float* const* stream, std::size_t i) const noexcept {
+  const float sphere[4] = {stream[0][i], stream[1][i], stream[2][i], stream[3][i]};
+  if (!std::isfinite(sphere[3])) return {};
+  if (sphere[3] == 0) {
+    const float* const point[6] = {sphere, sphere + 1, sphere + 2, sphere, sphere + 1, sphere + 2};
+    return boxes_.normal(boxes_.exact(point, 0), point, 0);
+  }
+  const Starts starts(faces_, sphere);
+  unsigned gaps = time.gaps;
+  if (time.is_zero()) {
+    if (place(starts, 0) == Place::not_before) return {};
+    for (unsigned f = 0; f < 6; ++f) gaps |= starts.start[f] > 0 ? 1U << f : 0;
+    if (!is_touched_at_start(faces_, sphere, gaps)) return {};
+  }
+  // In a plane through the centre that the movement is perpendicular to, the nearest point is at w r. Movement along u
+  // brings it there from −h r: the normal is w − h u, with h² = 1 − w².
+  double start[3];
+  double u[3];
+  unsigned face[3];
+  unsigned count = 0;
+  double largest = 0;
+  double square = 0;
+  for (unsigned f = 0; f < 6; ++f) {
+    if ((gaps >> f & 1U) == 0) continue;
+    face[count] = f;
+    start[count] = starts.start[f];
+    u[count] = slope_[f];
+    largest = std::max(largest, std::fabs(starts.start[f]));
+    square += slope_[f] * slope_[f];
+    ++count;
+  }
+  const double length = std::sqrt(square);
+  double along = 0;
+  for (unsigned g = 0; g < count; ++g) {
+    u[g] /= length;
+    along += start[g] * u[g];
+  }
+  double w[3];
+  double rest = 1;
+  for (unsigned g = 0; g < count; ++g) {
+    w[g] = (start[g] - along * u[g]) / sphere[3];
+    rest -= w[g] * w[g];
+  }
+  const double error_of_w = 0x1p-47 * largest / sphere[3];
+  const bool is_known = error_of_w < 0x1p-30 && rest > 0;
+  const double h = is_known ? std::sqrt(rest) : 0;
+  const double error = error_of_w + (8 * error_of_w + 0x1p-50) / h + 0x1p-49;
+  Vec3 normal{};
+  for (unsigned g = 0; g < count; ++g) {
+    const double about = w[g] - h * u[g];
+    const auto low = static_cast<float>(is_known ? std::clamp(about - error, 0.0, 1.0) : 0);
+    const auto high = static_cast<float>(is_known ? std::clamp(about + error, 0.0, 1.0) : 1);
+    const float share = low == high ? low : exact_share(faces_, sphere, gaps, g, low, high);
+    if (share != 0) normal[face[g] % 3] = face[g] < 3 ? share : -share;
+  }
+  return normal;
 }
 
 }  // namespace shaftcull::kernel

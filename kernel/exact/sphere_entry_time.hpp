@@ -49,6 +49,10 @@ class SphereEntryTimes {
   /// The largest finite float that is not larger.
   [[nodiscard]] float rounded_down(const Time& time) const noexcept;
 
+  /// The normal of contact with a sphere at position i, which is reached at `time`: from its centre to the nearest
+  /// point of the moving box, each component rounded to nearest. Zero if the box does not move into the sphere.
+  [[nodiscard]] Vec3 normal(const Time& time, const float* const* stream, std::size_t i) const noexcept;
+
   /// For the boxes around some spheres.
   [[nodiscard]] const EntryTimes& times_of_boxes() const noexcept { return boxes_; }
 

@@ -118,19 +118,6 @@ void require_extensible(const char* call, const ConvexHull& view, const char* wh
   }
 }
 
-/// A hull of a view and one more vertex.
-ConvexHull extended(const ConvexHull& view, const Vec3* point, const Vec3* direction) {
-  std::array<Vec3, ConvexHull::max_vertices + 1> vertex{};
-  auto end = std::copy(view.points().begin(), view.points().end(), vertex.begin());
-  if (point != nullptr) *end++ = *point;
-  const auto points = static_cast<std::size_t>(end - vertex.begin());
-  end = std::copy(view.directions().begin(), view.directions().end(), end);
-  if (direction != nullptr) *end++ = *direction;
-  return ConvexHull(std::span(vertex).first(points),
-                    std::span(vertex).subspan(points, static_cast<std::size_t>(end - vertex.begin()) - points),
-                    view.test());
-}
-
 }  // namespace
 
 ConvexHull frustum(std::span<const float, 16> matrix, ClipDepth depth, HullTest test) {
@@ -140,7 +127,7 @@ ConvexHull frustum(std::span<const float, 16> matrix, ClipDepth depth, HullTest 
 
 ConvexHull casters(const ConvexHull& view, const Vec3& light) {
   require_extensible("casters", view, "light", light);
-  return extended(view, &light, nullptr);
+  return {view, light, false};
 }
 
 ConvexHull casters_towards(const ConvexHull& view, const Vec3& towards_sun) {
@@ -150,7 +137,7 @@ ConvexHull casters_towards(const ConvexHull& view, const Vec3& towards_sun) {
       kernel::fail(InvalidArgument("casters_towards: towards_sun is zero; it must be a direction"));
     }
   });
-  return extended(view, nullptr, &towards_sun);
+  return {view, towards_sun, true};
 }
 
 }  // namespace shaftcull

@@ -26,6 +26,7 @@ struct ConvexHull::Parts {
   std::array<Vec3, HullData::most_vertices> vertex;  ///< as given, points first; `data` has each of them once
   std::size_t points;
   std::size_t vertices;
+  kernel::SmallHull triangles;  ///< of `data`
 };
 
 namespace {
@@ -80,6 +81,12 @@ void fill(HullData& hull, std::span<const Vec3> points, std::span<const Vec3> di
   add_different(hull, directions);
 }
 
+bool has_point(const HullData& hull, const Vec3& point) noexcept {
+  return std::any_of(hull.vertex, hull.vertex + hull.points, [&](const float(&vertex)[3]) {
+    return vertex[0] == point[0] && vertex[1] == point[1] && vertex[2] == point[2];
+  });
+}
+
 /// A compiled shaft that has all its answers from a hull.
 CompiledShaft referring_to(const HullData& hull) noexcept {
   CompiledShaft compiled;
@@ -113,14 +120,44 @@ ConvexHull::ConvexHull(std::span<const Vec3> points, std::span<const Vec3> direc
     std::copy(directions.begin(), directions.end(), std::copy(points.begin(), points.end(), parts_->vertex.begin()));
     fill(parts_->data, this->points(), this->directions());
     parts_->data.is_conservative = test == HullTest::conservative;
-    kernel::form_hull(parts_->data);
+    kernel::form_hull(parts_->data, parts_->triangles);
+  });
+  compiled_ = referring_to(parts_->data);
+}
+
+/// Of a view and what else its casters' hull needs, which is finite; there is room for it.
+ConvexHull::ConvexHull(const ConvexHull& view, const Vec3& light, bool is_direction)
+    : parts_(std::make_unique_for_overwrite<Parts>()) {
+  kernel::in_float_environment([&] {
+    const Parts& of_view = *view.parts_;
+    const Vec3* const given = of_view.vertex.data();
+    Vec3* end = std::copy_n(given, of_view.points, parts_->vertex.data());
+    if (!is_direction) *end++ = light;
+    end = std::copy(given + of_view.points, given + of_view.vertices, end);
+    if (is_direction) *end = light;
+    parts_->points = of_view.points + (is_direction ? 0 : 1);
+    parts_->vertices = of_view.vertices + 1;
+
+    HullData& data = parts_->data;
+    data.is_conservative = of_view.data.is_conservative;
+    if (of_view.data.points == of_view.data.vertices && !(has_point(of_view.data, light) && !is_direction)) {
+      data.vertices = of_view.data.vertices;
+      for (unsigned v = 0; v != data.vertices; ++v) std::copy_n(of_view.data.vertex[v], 3, data.vertex[v]);
+      std::copy_n(light.data(), 3, data.vertex[data.vertices++]);
+      data.points = static_cast<std::uint8_t>(data.vertices - (is_direction ? 1 : 0));
+      return kernel::form_extended_hull(data, parts_->triangles, of_view.data, of_view.triangles);
+    }
+    fill(data, points(), directions());
+    kernel::form_hull(data, parts_->triangles);
   });
   compiled_ = referring_to(parts_->data);
 }
 
 ConvexHull::ConvexHull(const ConvexHull& other)
     : parts_(other.parts_ ? std::make_unique<Parts>(*other.parts_) : nullptr) {
-  if (parts_) compiled_ = referring_to(parts_->data);
+  if (!parts_) return;
+  parts_->triangles.refer_to(parts_->data);
+  compiled_ = referring_to(parts_->data);
 }
 
 ConvexHull& ConvexHull::operator=(const ConvexHull& other) { return *this = ConvexHull(other); }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <utility>
 
 #include "exact/hull_planes.hpp"
@@ -69,7 +70,7 @@ class PlanesOfTriangles {
     face_of_[t] = number;
     Face& face = face_[number];
     if (is_alone) {
-      std::copy_n(triangle.vertex, 3, face.vertex);
+      for (unsigned i = 0; i < 3; ++i) face.vertex[i] = triangle.vertex[i];
       face.sign = triangle.sign;
       for (unsigned k = 0; k < 3; ++k) face.normal[k] = mesh_.normal(t, k);
     } else {
@@ -273,14 +274,44 @@ void end(HullData& hull) noexcept {
   write_plane_groups(hull);
 }
 
+void form_by_triangles(HullData& hull, const SmallHull& triangles) noexcept {
+  begin(hull);
+  PlanesOfTriangles(hull, triangles);
+  end(hull);
+}
+
+/// Copies everything but vertices.
+void copy_planes(HullData& hull, const HullData& from) noexcept {
+  std::copy_n(from.box, 6, hull.box);
+  hull.farthest = from.farthest;
+  hull.is_bounded = from.is_bounded;
+  hull.suits_floats = from.suits_floats;
+  hull.culls_by_box = from.culls_by_box;
+  hull.faces = from.faces;
+  hull.apart = from.apart;
+  hull.edges = from.edges;
+  hull.face_edges = from.face_edges;
+  hull.culling_lanes = from.culling_lanes;
+  hull.lanes = from.lanes;
+  std::copy_n(from.plane, from.faces + from.edges, hull.plane);
+  constexpr unsigned planes = HullData::PlaneGroup::planes;
+  std::copy_n(from.group, (from.lanes + planes - 1) / planes, hull.group);
+}
+
 }  // namespace
 
-void form_hull(HullData& hull) noexcept {
-  const SmallHull mesh(hull);
-  if (!mesh.has_triangles()) return form_hull_by_search(hull);
-  begin(hull);
-  PlanesOfTriangles(hull, mesh);
-  end(hull);
+void form_hull(HullData& hull, SmallHull& triangles) noexcept {
+  std::construct_at(&triangles, hull);
+  if (!triangles.has_triangles()) return form_hull_by_search(hull);
+  form_by_triangles(hull, triangles);
+}
+
+void form_extended_hull(HullData& hull, SmallHull& triangles, const HullData& view,
+                        const SmallHull& triangles_of_view) noexcept {
+  if (!triangles_of_view.has_triangles()) return form_hull(hull, triangles);
+  std::construct_at(&triangles, hull, triangles_of_view);
+  if (!triangles.is_in_plane(hull.vertices - 1U)) return copy_planes(hull, view);  // it is within the view
+  form_by_triangles(hull, triangles);
 }
 
 void form_hull_by_search(HullData& hull) noexcept {

@@ -33,7 +33,7 @@ class HullPlaneWriter {
   /// −1. No component is 0.
   void add_face(const std::uint8_t (&vertices)[3], const double (&normal)[3], int sign) noexcept {
     HullData::Plane& plane = hull_.plane[hull_.faces++];
-    std::copy_n(vertices, 3, plane.vertices);
+    for (unsigned i = 0; i < 3; ++i) plane.vertices[i] = vertices[i];  // of three bytes g++ makes no call
     plane.axis = 3;
     write<3>(plane, {0, 1, 2}, normal, sign);
   }

@@ -26,14 +26,16 @@
 #include "oracle/quick_hull.hpp"
 #include "oracle/shaft_input.hpp"
 #include "sanitizers.hpp"
+#include "shaftcull/geometry.hpp"
 #include "shaftcull/volumes.hpp"
 
 namespace shaftcull {
 namespace {
 
 /// First contact by the definition: of the bounds that are not outside, the one with the least time.
-template <class Hull, class TimeOf, class Bound>
-FirstContact expected_contact(const Hull& hull, const TimeOf& time_of, const std::vector<Bound>& bounds) {
+template <class Hull, class TimeOf, class NormalOf, class Bound>
+FirstContact expected_contact(const Hull& hull, const TimeOf& time_of, const NormalOf& normal_of,
+                              const std::vector<Bound>& bounds) {
   FirstContact first;
   decltype(time_of(bounds[0])) least;
   for (std::size_t i = 0; i != bounds.size(); ++i) {
@@ -47,11 +49,14 @@ FirstContact expected_contact(const Hull& hull, const TimeOf& time_of, const std
     least = time;
     first = {static_cast<std::uint32_t>(i), oracle::rounded_down(*time)};
   }
+  if (first) first.normal = normal_of(bounds[first.index]);
   return first;
 }
 
 std::string text_of(const FirstContact& contact) {
-  return std::to_string(contact.index) + " at " + std::to_string(contact.time);
+  std::string text = std::to_string(contact.index) + " at " + std::to_string(contact.time) + ", normal";
+  for (const float n : contact.normal) text += ' ' + std::to_string(n);
+  return text;
 }
 
 /// Asks a view and trees, whose first contact must be the one expected.
@@ -81,14 +86,16 @@ template <class Bound>
 void expect_contact(const ShaftInput& input, const std::vector<Bound>& bounds) {
   const auto expected = expected_contact(
       oracle::Hull(input.a, input.b, input.added),
-      [&](const Bound& bound) { return oracle::entry_time(input.a, input.b, bound); }, bounds);
+      [&](const Bound& bound) { return oracle::entry_time(input.a, input.b, bound); },
+      [&](const Bound& bound) { return oracle::contact_normal(input.a, input.b, bound); }, bounds);
   expect_contact(shaft_of(input), bounds, expected, source_text(input));
 }
 
 template <class Bound>
 void expect_contact(const MovingInput& input, const std::vector<Bound>& bounds) {
   const auto expected = expected_contact(
-      oracle::MovingHull(input), [&](const Bound& bound) { return oracle::entry_time(input, bound); }, bounds);
+      oracle::MovingHull(input), [&](const Bound& bound) { return oracle::entry_time(input, bound); },
+      [&](const Bound& bound) { return oracle::contact_normal(input, bound); }, bounds);
   expect_contact(shaft_of(input), bounds, expected, source_text(input));
 }
 
@@ -240,6 +247,7 @@ TEST(FirstContact, TellsTimesApartThatDoublesCannotTellApart) {
     const Box reached_by_y{{-far, y.place, 0}, {far, far, 1}};
     expect_contact(input, std::vector<Box>{reached_by_x, reached_by_y});
     expect_contact(input, std::vector<Box>{reached_by_y, reached_by_x});
+    expect_contact(input, std::vector<Box>{Box{{x.place, y.place, 0}, {far, far, 1}}});  // by the later of both
     const bool is_x_first = x.time() < y.time();
     if (is_x_first != (x.rounded_time() < y.rounded_time())) ++misled;
   }
@@ -275,9 +283,35 @@ TEST(FirstContact, IsTheLowestIndexOfThoseThatTouchAtTheStart) {
     boxes[0] = {{9, 0, 0}, {10, 1, 1}};
     boxes[1] = {{1.5F, 0, 0}, {2, 1, 1}};
     const BoxTree tree{std::span<const Box>(boxes)};
-    EXPECT_EQ(first_contact(shaft, tree), (FirstContact{2, 0}));
-    EXPECT_EQ(first_contact(shaft, BoxColumns(boxes).view()), (FirstContact{2, 0}));
+    const FirstContact expected{2, 0, {-1, 0, 0}};
+    EXPECT_EQ(first_contact(shaft, tree), expected);
+    EXPECT_EQ(first_contact(shaft, BoxColumns(boxes).view()), expected);
   });
+}
+
+TEST(FirstContact, OfABodyGrownByASkinIsWhatComesThatNear) {
+  Random random(805);
+  for (unsigned i = 0; i != random_cases(300) && !HasFailure(); ++i) {
+    constexpr float skin = 0.25F;  // so that sums are exact
+    const MovingInput body{
+        MovingInput::Kind::swept, random.grid_box(-4, 4), {random.integer(-6, 6), random.integer(-6, 6), 3}};
+    std::vector<Box> boxes;
+    std::vector<Box> grown;  // meets the body when the box is that near to it, on every axis
+    while (boxes.size() != 24) {
+      boxes.push_back(random.grid_box(-12, 12));
+      grown.push_back(boxes.back());
+      for (std::size_t k = 0; k != 3; ++k) {
+        grown.back().lo[k] -= skin;
+        grown.back().hi[k] += skin;
+      }
+    }
+    const FirstContact expected = expected_contact(
+        oracle::MovingHull(body), [&](const Box& box) { return oracle::entry_time(body, box); },
+        [&](const Box& box) { return oracle::contact_normal(body, box); }, grown);
+    const CompiledShaft shaft = swept(inflated(body.box, skin), body.displacement);
+    EXPECT_EQ(first_contact(shaft, BoxTree(boxes)), expected) << source_text(body);
+    EXPECT_EQ(first_contact(shaft, BoxColumns(boxes).view()), expected) << source_text(body);
+  }
 }
 
 TEST(FirstContact, IsNothingWhereNothingIsKept) {

@@ -75,6 +75,15 @@ auto time_of(const MovingInput& input, const Bound& bound) {
   return oracle::entry_time(input, bound);
 }
 
+template <class Bound>
+Vec3 normal_of(const ShaftInput& input, const Bound& bound) {
+  return oracle::contact_normal(input.a, input.b, bound);
+}
+template <class Bound>
+Vec3 normal_of(const MovingInput& input, const Bound& bound) {
+  return oracle::contact_normal(input, bound);
+}
+
 /// First contact by the definition, and how many bounds that the shaft keeps are skipped.
 struct Expected {
   FirstContact first;
@@ -104,6 +113,7 @@ Expected expected_contact(const Input& input, const std::vector<Bound>& bounds) 
     least = time;
     expected.first = {static_cast<std::uint32_t>(i), oracle::rounded_down(time)};
   }
+  if (expected.first) expected.first.normal = normal_of(input, bounds[expected.first.index]);
   return expected;
 }
 
@@ -236,10 +246,10 @@ TEST(SkipOverlapping, ABodyBesideAWallIsStoppedByItWithOpenContactAlone) {
     const BoxTree tree{std::span<const Box>(boxes)};
     CompiledShaft shaft = compile(body, {{8, 0, 0}, {9, 1, 1}});
     EXPECT_EQ(first_contact(shaft, tree), (FirstContact{0, 0}));
-    EXPECT_EQ(first_contact(shaft, tree, {.skip_overlapping = true}), (FirstContact{3, 0.375F}));
+    EXPECT_EQ(first_contact(shaft, tree, {.skip_overlapping = true}), (FirstContact{3, 0.375F, {-1, 0, 0}}));
     set_contact(shaft, Contact::open);
     EXPECT_EQ(first_contact(shaft, tree), (FirstContact{1, 0}));
-    EXPECT_EQ(first_contact(shaft, tree, {.skip_overlapping = true}), (FirstContact{2, 0}));
+    EXPECT_EQ(first_contact(shaft, tree, {.skip_overlapping = true}), (FirstContact{2, 0, {-1, 0, 0}}));
   });
 }
 

@@ -43,9 +43,10 @@ std::vector<float> times_of(const CompiledShaft& shaft, const std::vector<Sphere
 void expect_ties(const CompiledShaft& shaft, std::vector<Sphere> spheres, float time) {
   on_each_instruction_set([&] {
     for (std::size_t turn = 0; turn != spheres.size(); ++turn) {
-      const FirstContact expected{0, time};
-      EXPECT_EQ(first_contact(shaft, SphereColumns(spheres).view()), expected) << source_text(spheres[0]);
-      EXPECT_EQ(first_contact(shaft, BoundsTree<Sphere>{std::span<const Sphere>(spheres)}), expected)
+      const FirstContact found = first_contact(shaft, SphereColumns(spheres).view());
+      EXPECT_EQ(found.index, 0U) << source_text(spheres[0]);
+      EXPECT_EQ(found.time, time) << source_text(spheres[0]);
+      EXPECT_EQ(first_contact(shaft, BoundsTree<Sphere>{std::span<const Sphere>(spheres)}), found)
           << source_text(spheres[0]);
       EXPECT_EQ(times_of(shaft, spheres), std::vector<float>(spheres.size(), time));
       std::rotate(spheres.begin(), spheres.begin() + 1, spheres.end());
@@ -145,7 +146,7 @@ TEST(SphereContact, TimesHaveNoEndAsSweepsHaveNone) {
     const std::vector<float> times = times_of(shaft, spheres);
     constexpr float most = std::numeric_limits<float>::max();
     EXPECT_EQ(times, (std::vector<float>{most, most, 0x1p100F}));
-    EXPECT_EQ(first_contact(shaft, SphereColumns(spheres).view()), (FirstContact{2, 0x1p100F}));
+    EXPECT_EQ(first_contact(shaft, SphereColumns(spheres).view()), (FirstContact{2, 0x1p100F, {0, -1, 0}}));
   });
 }
 
@@ -200,7 +201,8 @@ TEST(SphereContact, TellsTimesApartThatDoublesCannotTellApart) {
     const std::uint32_t first = *of_x <= *of_y ? 0 : 1;
     on_each_instruction_set([&] {
       const CompiledShaft shaft = compile(input.a, input.b);
-      const FirstContact expected{first, oracle::rounded_down(first == 0 ? *of_x : *of_y)};
+      const FirstContact expected{first, oracle::rounded_down(first == 0 ? *of_x : *of_y),
+                                  oracle::contact_normal(input.a, input.b, spheres[first])};
       EXPECT_EQ(first_contact(shaft, SphereColumns(spheres).view()), expected) << source_text(input);
       const std::vector<Sphere> swapped(spheres.rbegin(), spheres.rend());
       EXPECT_EQ(first_contact(shaft, SphereColumns(swapped).view()).index, 1 - first) << source_text(input);

@@ -12,12 +12,15 @@
 #include <vector>
 
 #include "compiled/hull_data.hpp"
+#include "compiled/shaft_data.hpp"
 #include "exact/small_hull.hpp"
 #include "oracle/cases/hulls.hpp"
 #include "oracle/convex_hull.hpp"
 #include "oracle/random.hpp"
 #include "oracle/shaft_input.hpp"
 #include "sanitizers.hpp"
+#include "shaftcull/cull.hpp"
+#include "shaftcull/hull.hpp"
 #include "shafts/hull_formation.hpp"
 
 namespace shaftcull {
@@ -56,15 +59,52 @@ std::string difference(const HullData& a, const HullData& b) {
                           std::equal(p.vertices, p.vertices + n, q.vertices) && p.axis == q.axis && p.sign == q.sign;
     if (!are_same) return "plane " + std::to_string(i);
   }
+  if (a.culls_by_box != b.culls_by_box || a.culling_lanes != b.culling_lanes || a.lanes != b.lanes) return "lanes";
+  constexpr unsigned planes = HullData::PlaneGroup::planes;
+  for (unsigned i = 0; i != (a.lanes + planes - 1U) / planes * planes; ++i) {
+    const HullData::PlaneGroup& p = a.group[i / planes];
+    const HullData::PlaneGroup& q = b.group[i / planes];
+    const unsigned lane = i % planes;
+    bool are_same =
+        p.offset[lane] == q.offset[lane] && p.length[lane] == q.length[lane] && p.magnitude[lane] == q.magnitude[lane];
+    for (unsigned k = 0; k != 3; ++k) are_same &= p.inward[k][lane] == q.inward[k][lane];
+    if (!are_same) return "lane " + std::to_string(i);
+  }
   return "";
 }
 
 void expect_planes_of_search(const HullInput& input) {
   const auto formed = vertices_of(input);
   const auto searched = vertices_of(input);
-  kernel::form_hull(*formed);
+  kernel::SmallHull triangles;
+  kernel::form_hull(*formed, triangles);
   kernel::form_hull_by_search(*searched);
   ASSERT_EQ(difference(*formed, *searched), "") << source_text(input);
+}
+
+const HullData& data_of(const ConvexHull& hull) { return *kernel::data_of(hull.compiled()).hull; }
+
+/// Casters of a view, which has points only, have the planes that a search finds for the points of both, and so have
+/// casters of a copy, of which the view is gone. Returns whether the light is in the view.
+bool expect_planes_of_casters(const HullInput& view, const Vec3& light, bool is_direction, HullTest test) {
+  HullInput both = view;
+  (is_direction ? both.directions : both.points).push_back(light);
+  const auto searched = vertices_of(both);
+  searched->is_conservative = test == HullTest::conservative;
+  kernel::form_hull_by_search(*searched);
+  auto original = std::make_unique<ConvexHull>(view.points, view.directions, test);
+  const ConvexHull copy = *original;
+  const auto casters_of = [&](const ConvexHull& of) {
+    return is_direction ? casters_towards(of, light) : casters(of, light);
+  };
+  const ConvexHull found = casters_of(*original);
+  const bool is_within = !is_direction && keeps(*original, Box{light, light});
+  original.reset();
+  EXPECT_EQ(difference(data_of(found), *searched), "") << source_text(both);
+  EXPECT_EQ(difference(data_of(casters_of(copy)), *searched), "") << "of a copy: " << source_text(both);
+  EXPECT_TRUE(std::ranges::equal(found.points(), both.points)) << source_text(both);
+  EXPECT_TRUE(std::ranges::equal(found.directions(), both.directions)) << source_text(both);
+  return is_within;
 }
 
 bool has_triangles(const HullInput& input) { return kernel::SmallHull(*vertices_of(input)).has_triangles(); }
@@ -153,6 +193,63 @@ TEST(HullFormation, FindsFacesWithManyVerticesOnce) {
   expect_planes_of_search(box);
   for (Vec3& p : box.points) p = {p[0] + 2 * p[1], p[1] - p[2] + p[0], p[2] + 3 * p[0]};  // no face along an axis
   expect_planes_of_search(box);
+}
+
+TEST(HullFormation, ExtendsViewsByALightToThePlanesOfASearch) {
+  Random random(7);
+  std::size_t within = 0;
+  std::size_t beyond = 0;
+  for (std::uint64_t i = 0; i != random_cases(2000) && !HasFailure(); ++i) {
+    // Lights on a grid are often in the plane of a face, on the line of an edge, or a corner.
+    const bool is_on_grid = random.one_in(2);
+    const float size = std::ldexp(1.0F, random.one_in(3) ? static_cast<int>(random.integer(-120, 100)) : 0);
+    const auto coordinate = [&] { return size * (is_on_grid ? random.integer(-2, 2) : random.uniform(-2, 2)); };
+    HullInput view = hull_of(random, 9, coordinate);
+    if (!random.one_in(8)) view.directions.clear();
+    if (view.points.size() + view.directions.size() == ConvexHull::max_vertices) continue;
+    const float far = random.one_in(4) ? 1000 : random.one_in(2) ? 2 : 0.5F;
+    Vec3 light = {far * coordinate(), far * coordinate(), far * coordinate()};
+    if (random.one_in(8)) light = view.points[random.below(static_cast<unsigned>(view.points.size()))];
+    const bool is_direction = random.one_in(3) && light != Vec3{0, 0, 0};
+    const HullTest test = random.one_in(2) ? HullTest::exact : HullTest::conservative;
+    ++(expect_planes_of_casters(view, light, is_direction, test) ? within : beyond);
+  }
+  EXPECT_GT(within, 0U) << "the cases are too easy";
+  EXPECT_GT(beyond, 0U) << "the cases are too easy";
+}
+
+TEST(HullFormation, ExtendsViewsByALightFarAwayInThePlanesOfFaces) {
+  Random random(9);
+  for (std::uint64_t i = 0; i != random_cases(2000) && !HasFailure(); ++i) {
+    HullInput view = hull_of(random, 6, [&] { return random.integer(-65535, 65535); });
+    view.directions.clear();
+    if (view.points.size() < 4) continue;
+    // On the line through two corners, without rounding. Doubles do not tell that it is in the planes there.
+    const auto count = static_cast<unsigned>(view.points.size());
+    const Vec3 p = view.points[random.below(count)];
+    const Vec3 q = view.points[random.below(count)];
+    Vec3 light{};
+    for (std::size_t k = 0; k != 3; ++k) light[k] = p[k] + 100 * (q[k] - p[k]);
+    expect_planes_of_casters(view, light, false, HullTest::exact);
+  }
+}
+
+TEST(HullFormation, ExtendsExtendedViews) {
+  Random random(8);
+  for (std::uint64_t i = 0; i != random_cases(300) && !HasFailure(); ++i) {
+    const auto coordinate = [&] { return random.uniform(-2, 2); };
+    HullInput all = hull_of(random, 8, coordinate);
+    all.directions.clear();
+    ConvexHull hull(all.points);
+    for (int lights = 0; lights != 6; ++lights) {
+      const Vec3 light{3 * coordinate(), 3 * coordinate(), 3 * coordinate()};
+      hull = casters(hull, light);
+      all.points.push_back(light);
+      const auto searched = vertices_of(all);
+      kernel::form_hull_by_search(*searched);
+      EXPECT_EQ(difference(data_of(hull), *searched), "") << source_text(all);
+    }
+  }
 }
 
 TEST(HullFormation, NeedsNoSearchForHullsWithAnInterior) {

@@ -29,7 +29,7 @@ constexpr std::array<std::array<const char*, 3>, 12> table = {{
     {"which are kept: indices", "list", "list_many"},
     {"which overlap, which are inside: indices", "list_classified", "list_classified_many"},
     {"is any kept", "any", "any_many"},
-    {"which is reached first, and when", "first_contact", "first_contact_many"},
+    {"which is reached first, when, and the normal", "first_contact", "first_contact_many"},
     {"when each of a list is reached", "entry_times", ""},
     {"does a box block every segment", "occluded", "occluded_many"},
     {"one box that does: its index", "find_occluder", ""},

@@ -41,7 +41,10 @@ KeptCounts as_counts(const shaftcull_kept_counts& counts) {
 
 FirstContact as_contact(const shaftcull_contact_found& contact) {
   EXPECT_EQ(contact.found, contact.index == SHAFTCULL_NONE ? 0U : 1U);
-  return {contact.found == 0 ? FirstContact::none : static_cast<std::uint32_t>(contact.index), contact.time};
+  EXPECT_EQ(contact.reserved, 0U);
+  return {contact.found == 0 ? FirstContact::none : static_cast<std::uint32_t>(contact.index),
+          contact.time,
+          {contact.normal[0], contact.normal[1], contact.normal[2]}};
 }
 
 /// The first `size` of them, or fewer if there is less room.
@@ -240,8 +243,8 @@ void compare_times(const Question& q) {
   for (std::size_t i = 0; i < q.size(); i += 2) indices.push_back(static_cast<std::uint32_t>(i));
   for (std::size_t s = q.start; s < shafts; s += q.step) {
     const Asked asked(q.options, s, 1);
-    FirstContact expected{99, 99};
-    shaftcull_contact_found given{99, 99, 1};
+    FirstContact expected{99, 99, {99, 99, 99}};
+    shaftcull_contact_found given{99, 99, 1, {99, 99, 99}, 0};
     both_answer(
         fits, [&] { expected = first_contact(q.shaft(s), bounds, asked.cpp()); },
         [&] { return shaftcull_first_contact(c, s, 1, q.of.c, asked.c(), &given); });
@@ -255,8 +258,8 @@ void compare_times(const Question& q) {
     EXPECT_EQ(given_times, times);
   }
   const Asked asked(q.options, 0, shafts);
-  std::vector<FirstContact> expected(shafts, FirstContact{99, 99});
-  std::vector<shaftcull_contact_found> given(shafts, shaftcull_contact_found{99, 99, 1});
+  std::vector<FirstContact> expected(shafts, FirstContact{99, 99, {99, 99, 99}});
+  std::vector<shaftcull_contact_found> given(shafts, shaftcull_contact_found{99, 99, 1, {99, 99, 99}, 0});
   both_answer(
       fits, [&] { first_contact_many(std::span(q.of.shafts.cpp).first(shafts), bounds, expected, asked.cpp()); },
       [&] { return shaftcull_first_contact(c, 0, shafts, q.of.c, asked.c(), given.data()); });

@@ -692,8 +692,10 @@ static void one_shaft(void) {
     CHECK(number == 1);
     OK(shaftcull_first_contact(shafts, 0, 1, bounds, NULL, &contact));
     CHECK(contact.found == 1 && contact.index == 0 && contact.time > 0 && contact.time < 1);
+    CHECK(hypotf(hypotf(contact.normal[0], contact.normal[1]), contact.normal[2]) > 0.99F);
     OK(shaftcull_first_contact(shafts, 1, 1, bounds, NULL, &contact));
     CHECK(contact.found == 0 && contact.index == SHAFTCULL_NONE && contact.time == INFINITY);
+    CHECK(contact.normal[0] == 0 && contact.normal[1] == 0 && contact.normal[2] == 0 && contact.reserved == 0);
     OK(shaftcull_occluded(shafts, 0, 1, bounds, NULL, &number));
     CHECK(number == 0);
     OK(shaftcull_find_occluder(shafts, 0, bounds, NULL, &number));

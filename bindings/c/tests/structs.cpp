@@ -26,7 +26,7 @@ template <class Struct>
 constexpr bool has_no_padding = std::has_unique_object_representations_v<Struct>;
 static_assert(has_no_padding<shaftcull_index_pair> && has_no_padding<shaftcull_kept_counts> &&
               has_no_padding<shaftcull_pair_block> && has_no_padding<shaftcull_sight_counts>);
-static_assert(sizeof(shaftcull_contact_found) == 8 + 4 + 4);  // floats have no unique representation
+static_assert(sizeof(shaftcull_contact_found) == 8 + 4 + 4 + 12 + 4);  // floats have no unique representation
 static_assert(sizeof(shaftcull_shafts_info) == 2 * 24 + 5 * 4);
 static_assert(sizeof(void*) != 8 || sizeof(shaftcull_bounds_info) == 2 * 8 + 11 * 8 + 24 + 4 * 4);
 static_assert(sizeof(void*) != 8 || sizeof(shaftcull_hull_info) == 2 * 8 + 2 * 8 + 24);

@@ -21,6 +21,7 @@ _Bits = npt.NDArray[Any]  # of bool, or uint64 if they stay packed
 _Bools = Any  # a bool, or NDArray[bool]
 _Numbers = Any  # an int, or NDArray[int64]
 _Times = Any  # a float, or NDArray[float32]
+_Contacts = Tuple[Any, ...]  # _Numbers, _Times; and with normals NDArray[float32]
 _Lists = Any  # NDArray[uint32], or IndexLists; NDArray[uint32] with times is Tuple[NDArray[uint32], NDArray[float32]]
 _Asked = Union["Shafts", "ConvexHull", _Floats]
 
@@ -466,11 +467,14 @@ class Boxes(Bounds):
         layer_mask: _Integers | None = None,
         only: _Integers | None = None,
         skip_overlapping: bool = False,
-    ) -> Tuple[_Numbers, _Times]:
+        normals: bool = False,
+    ) -> _Contacts:
         """Which bound the moving box of each shaft reaches first, and when: a tuple of indices, int64 (n,), and times,
         float32 (n,); an int and a float for one shaft. -1 and infinity if it reaches none. Time is 0 at a and 1 at
         b: a swept body has moved by its whole displacement at 1. Times are rounded down; which bound is first is
-        decided exactly. ValueError for hulls.
+        decided exactly. With normals=True a third array, float32 (n, 3), or (3,) for one shaft: normals of contact, of
+        unit length, from the bound towards the moving box. For a box it is one of +-x, +-y and +-z; zero if the two
+        overlap at the start, or touch there without the box moving into the bound. ValueError for hulls.
 
         shafts, b: Shafts of shape (n,) or (); a ConvexHull; or boxes a and b, as Shafts.between() takes them.
         exclude: integers (k,), or one: bounds to leave out for all shafts, such as the moving body itself.
@@ -662,11 +666,14 @@ class Spheres(Bounds):
         layer_mask: _Integers | None = None,
         only: _Integers | None = None,
         skip_overlapping: bool = False,
-    ) -> Tuple[_Numbers, _Times]:
+        normals: bool = False,
+    ) -> _Contacts:
         """Which bound the moving box of each shaft reaches first, and when: a tuple of indices, int64 (n,), and times,
         float32 (n,); an int and a float for one shaft. -1 and infinity if it reaches none. Time is 0 at a and 1 at
         b: a swept body has moved by its whole displacement at 1. Times are rounded down; which bound is first is
-        decided exactly. ValueError for hulls.
+        decided exactly. With normals=True a third array, float32 (n, 3), or (3,) for one shaft: normals of contact, of
+        unit length, from the bound towards the moving box. For a box it is one of +-x, +-y and +-z; zero if the two
+        overlap at the start, or touch there without the box moving into the bound. ValueError for hulls.
 
         shafts, b: Shafts of shape (n,) or (); a ConvexHull; or boxes a and b, as Shafts.between() takes them.
         exclude: integers (k,), or one: bounds to leave out for all shafts, such as the moving body itself.

@@ -202,11 +202,18 @@ py::object ask_count_classified(const Question& question) {
       numbers(question.shafts, counts, [](const KeptCounts& of) -> std::uint64_t { return of.inside; }));
 }
 
-py::object ask_first_contact(const Question& question) {
+py::object ask_first_contact(const Question& question, bool normals) {
   const auto contacts = answers<FirstContact, FirstContact>(question, &first_contact, &first_contact_many);
   const auto index = [](const FirstContact& contact) { return contact ? std::int64_t{contact.index} : -1; };
-  return py::make_tuple(numbers(question.shafts, contacts, index),
-                        numbers(question.shafts, contacts, [](const FirstContact& contact) { return contact.time; }));
+  const py::object indices = numbers(question.shafts, contacts, index);
+  const py::object times = numbers(question.shafts, contacts, [](const FirstContact& contact) { return contact.time; });
+  if (!normals) return py::make_tuple(indices, times);
+  std::vector<float> floats;
+  floats.reserve(3 * contacts.size());
+  for (const FirstContact& contact : contacts)
+    floats.insert(floats.end(), contact.normal.begin(), contact.normal.end());
+  const py::object flat = array_of(std::move(floats));
+  return py::make_tuple(indices, times, question.shafts.one ? flat : flat.attr("reshape")(-1, 3));
 }
 
 py::object ask_find_occluder(const Question& question) {

@@ -119,7 +119,10 @@ void add_first_contact(py::class_<HolderOf<Bound>, Holder>& to) {
 Which bound the moving box of each shaft reaches first, and when: a tuple of indices, int64 (n,), and times,
 float32 (n,); an int and a float for one shaft. -1 and infinity if it reaches none. Time is 0 at a and 1 at
 b: a swept body has moved by its whole displacement at 1. Times are rounded down; which bound is first is
-decided exactly. ValueError for hulls.)");
+decided exactly. With normals=True a third array, float32 (n, 3), or (3,) for one shaft: normals of contact, of
+unit length, from the bound towards the moving box. For a box it is one of +-x, +-y and +-z; zero if the two
+overlap at the start, or touch there without the box moving into the bound. ValueError for hulls.)",
+                                arg("normals") = false);
   to.def("entry_times", &ask_entry_times, arg("shafts"), arg("indices"), R"(
 When the moving box of one shaft reaches bounds: float32 (k,), as first_contact() says; infinity for bounds
 that the shaft does not keep.

@@ -58,7 +58,7 @@ py::object ask_count(const Question& question);
 py::object ask_count_classified(const Question& question);
 py::object ask_list(const Question& question, bool times);
 py::object ask_list_classified(const Question& question);
-py::object ask_first_contact(const Question& question);
+py::object ask_first_contact(const Question& question, bool normals);
 py::object ask_occluded(const Question& question);
 py::object ask_find_occluder(const Question& question);
 py::object ask_list_occluders(const Question& question);

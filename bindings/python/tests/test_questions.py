@@ -207,6 +207,23 @@ def test_first_contact_skips_what_overlaps_the_start(hold):
         holder.count(closed, skip_overlapping=True)
 
 
+@pytest.mark.parametrize("hold", [sc.BoxStream, sc.BoxTree])
+def test_normals_of_contact_point_from_the_box_to_the_body(hold):
+    floor, wall = [-9, -1, -9, 9, 0, 9], [4, 0, 0, 5, 1, 1]
+    holder = hold(np.float32([floor, wall]))
+    body = np.float32([0, 0.5, 0, 1, 1.5, 1])
+    shafts = sc.Shafts.swept(body, np.float32([[0, -4, 0], [8, 0, 0], [0, 4, 0]]))
+    found, when, normals = holder.first_contact(shafts, normals=True)
+    assert normals.dtype == np.float32 and normals.tolist() == [[0, 1, 0], [-1, 0, 0], [0, 0, 0]]
+    np.testing.assert_array_equal((found, when), holder.first_contact(shafts))
+    index, time, normal = holder.first_contact(shafts[0], normals=True)
+    assert (index, time, normal.tolist()) == (0, 0.125, [0, 1, 0]) and normal.shape == (3,)
+    assert holder.first_contact(shafts[:0], normals=True)[2].shape == (0, 3)
+    ball = sc.SphereTree(np.float32([[8, 4.5, 0.5, 5]]))  # 4, 3 and 5
+    normal = ball.first_contact(sc.Shafts.swept(body, [16, 0, 0]), normals=True)[2]
+    np.testing.assert_array_equal(normal, np.float32([-0.8, -0.6, 0]))
+
+
 def test_solids_are_left_out_as_other_bounds_are():
     walls = np.array([[0, -9, -9, 1, 9, 9], [2, -9, -9, 3, 9, 9], [0, -9, 0, 1, 9, 0.5]], dtype=np.float32)
     shafts = sc.Shafts.between([[-5, 0, 0, -4, 1, 1]] * 2, [6, 0, 0, 7, 1, 1])

@@ -64,8 +64,8 @@ class Asked {
     const contacts = module.resultsOf(bytes * this.#count);
     this.#call(query, this.#range, contacts);
     return begins(contacts, bytes, this.#count).map((contact) => {
-      const {index, time, found} = module.read('contact_found', contact);
-      return found ? {index, time} : undefined;
+      const {index, time, found, normal} = module.read('contact_found', contact);
+      return found ? {index, time, normal: [...module.floats(normal, 3)]} : undefined;
     });
   }
 

@@ -305,6 +305,11 @@ export interface FirstContact {
   readonly index: number;
   /** From 0 at the start of the movement to 1 at its end, rounded down. */
   readonly time: number;
+  /**
+   * Of contact: x, y and z of unit length, from the bound towards the moving box. For a box one of ±x, ±y and ±z. Zeros
+   * if the two overlap at the start, or touch there without the box moving into the bound.
+   */
+  readonly normal: readonly [number, number, number];
 }
 
 /**

@@ -497,12 +497,13 @@ describe('options', () => {
     const [closed, open] = [{}, {contact: 'open'}].map((options) => shaftcull.between(...ends, options));
     const skip = {skipOverlapping: true};
     for (const holder of [shaftcull.boxStream(boxes), shaftcull.boxTree(boxes)]) {
-      assert.deepEqual(holder.firstContact(closed), {index: 0, time: 0});
-      assert.deepEqual(holder.firstContact(closed, {skipOverlapping: false}), {index: 0, time: 0});
-      assert.deepEqual(holder.firstContact(closed, skip), {index: 3, time: 0.375});
-      assert.deepEqual(holder.firstContactMany(closed, skip), [{index: 3, time: 0.375}]);
-      assert.deepEqual(holder.firstContact(open), {index: 1, time: 0});
-      assert.deepEqual(holder.firstContact(open, skip), {index: 2, time: 0});
+      assert.deepEqual(holder.firstContact(closed), {index: 0, time: 0, normal: [0, 0, 0]});
+      assert.deepEqual(holder.firstContact(closed, {skipOverlapping: false}), {index: 0, time: 0, normal: [0, 0, 0]});
+      const far = {index: 3, time: 0.375, normal: [-1, 0, 0]};
+      assert.deepEqual(holder.firstContact(closed, skip), far);
+      assert.deepEqual(holder.firstContactMany(closed, skip), [far]);
+      assert.deepEqual(holder.firstContact(open), {index: 1, time: 0, normal: [0, 0, 0]});
+      assert.deepEqual(holder.firstContact(open, skip), {index: 2, time: 0, normal: [-1, 0, 0]});
       assert.throws(() => holder.firstContact(closed, {skipOverlapping: 1}), /skipOverlapping = 1 is neither/);
       assert.throws(() => holder.count(closed, skip), /skip_overlapping means nothing to count/);
     }

@@ -101,8 +101,8 @@ class Trial {
   void ask_blocking(const CompiledShaft& shaft, const char* how);
 
   void sometimes_find_first_contact(Random& random);
-  template <class View, class TimeOf>
-  void find_first_contact(const View& bounds, const TimeOf& time_of);
+  template <class View, class TimeOf, class NormalOf>
+  void find_first_contact(const View& bounds, const TimeOf& time_of, const NormalOf& normal_of);
   void ask_first_contact(const CompiledShaft& shaft, const char* how);
 
   void sometimes_find_triangles(Random& random);
