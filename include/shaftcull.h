@@ -543,8 +543,8 @@ SHAFTCULL_API shaftcull_status shaftcull_shafts_set_hull(shaftcull_shafts* shaft
 /// inside, in the form of planes, or about some spheres. No allocation.
 SHAFTCULL_API shaftcull_status shaftcull_shafts_complete(shaftcull_shafts* shafts, uint64_t first, uint64_t count);
 
-/// Chooses whether shafts keep bounds that only touch them. Refuses hulls and shafts that were never formed, by their
-/// position. About 10 ns per shaft; no allocation.
+/// Chooses whether shafts keep bounds that only touch them. Refuses shafts that were never formed, by their position.
+/// About 10 ns per shaft; no allocation.
 SHAFTCULL_API shaftcull_status shaftcull_shafts_set_contact(shaftcull_shafts* shafts, uint64_t first, uint64_t count,
                                                             shaftcull_contact contact);
 

@@ -105,7 +105,7 @@ Answer ConvexHull::answer(const Box& box) const {
   return inside ? Answer::inside : Answer::overlap;
 }
 
-bool ConvexHull::is_beyond(const Sphere& sphere, double slack) const {
+bool ConvexHull::is_beyond(const Sphere& sphere, double slack, Contact contact) const {
   const Vector centre = vector(sphere.centre);
   return std::any_of(planes_.begin(), planes_.end(), [&](const Plane& plane) {
     if (!plane.is_spanned) return false;
@@ -113,7 +113,8 @@ bool ConvexHull::is_beyond(const Sphere& sphere, double slack) const {
     for (std::size_t k = 0; k != 3; ++k) terms += abs(plane.normal[k]) * (abs(centre[k]) + largest_[k]);
     const mpq_class value = dot(plane.normal, centre) - plane.offset - slack * terms;
     const mpq_class radius = mpq_class(sphere.radius) * (1 + slack);
-    return sgn(value) > 0 && value * value > radius * radius * dot(plane.normal, plane.normal);
+    const mpq_class reach = radius * radius * dot(plane.normal, plane.normal);
+    return sgn(value) > 0 && (value * value > reach || (contact == Contact::open && value * value == reach));
   });
 }
 
@@ -142,10 +143,21 @@ double ConvexHull::distance_to_surface(const Vec3& centre) const {
   return std::isfinite(most) ? std::fabs(most) : 0;
 }
 
-Answer ConvexHull::corrected(const Sphere& sphere, Answer answer) const {
+bool ConvexHull::touches_box(const Sphere& sphere) const {
+  const Vector centre = vector(sphere.centre);
+  const mpq_class radius(sphere.radius);
+  return std::any_of(planes_.begin(), planes_.end(), [&](const Plane& plane) {
+    const auto zeros = std::count_if(plane.normal.begin(), plane.normal.end(), [](const auto& n) { return n == 0; });
+    return zeros == 2 && dot(plane.normal, centre) - plane.offset ==
+                             radius * (abs(plane.normal[0]) + abs(plane.normal[1]) + abs(plane.normal[2]));
+  });
+}
+
+Answer ConvexHull::corrected(const Sphere& sphere, Answer answer, Contact contact) const {
   constexpr double rounding = 0x1p-24;
-  if (answer == Answer::outside) return is_beyond(sphere) ? Answer::outside : Answer::overlap;
+  if (answer == Answer::outside) return is_beyond(sphere, 0, contact) ? Answer::outside : Answer::overlap;
   if (is_beyond(sphere, rounding)) return Answer::outside;
+  if (contact == Contact::open && touches_box(sphere)) return Answer::outside;
   if (answer == Answer::inside) return is_within(sphere) ? Answer::inside : Answer::overlap;
   return is_within(sphere, rounding) ? Answer::inside : Answer::overlap;
 }

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "shaftcull/bounds.hpp"
+#include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
 
 namespace shaftcull {
@@ -39,8 +40,9 @@ class ConvexHull {
   [[nodiscard]] Answer answer(const Box& box) const;
 
   /// Whether the sphere, with a finite centre and radius, is beyond one of the planes that are spanned by more than its
-  /// radius times 1 + `slack`, and `slack` of its coordinates and the largest of the hull's.
-  [[nodiscard]] bool is_beyond(const Sphere& sphere, double slack = 0) const;
+  /// radius times 1 + `slack`, and `slack` of its coordinates and the largest of the hull's; with open contact, by as
+  /// much.
+  [[nodiscard]] bool is_beyond(const Sphere& sphere, double slack = 0, Contact contact = Contact::closed) const;
   /// Whether it is behind all of them by its radius, likewise.
   [[nodiscard]] bool is_within(const Sphere& sphere, double slack = 0) const;
 
@@ -50,7 +52,8 @@ class ConvexHull {
 
   /// An answer about a sphere if it may be given, else what it should have been. Outside must be beyond a plane, inside
   /// behind all of them. What of this holds by more than rounding must be seen.
-  [[nodiscard]] Answer corrected(const Sphere& sphere, Answer answer) const;
+  /// With open contact, the sphere has a radius, and one that touches a face of the hull's box is outside.
+  [[nodiscard]] Answer corrected(const Sphere& sphere, Answer answer, Contact contact = Contact::closed) const;
 
  private:
   using Vector = std::array<mpq_class, 3>;
@@ -64,6 +67,9 @@ class ConvexHull {
   /// Adds the planes with this normal that touch the hull from either side. `through` is a point of what spans them, or
   /// null for faces of the hull's box.
   void add_planes(const Vector& normal, const Vector* through);
+
+  /// Whether a sphere touches a face of the box around the hull from outside.
+  [[nodiscard]] bool touches_box(const Sphere& sphere) const;
 
   std::vector<Vector> points_;
   Vector largest_;  ///< magnitude of a coordinate of theirs

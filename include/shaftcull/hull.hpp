@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// Convex hulls in place of shafts: view frusta, shadow casters of a view, volumes between polygons.
 ///
-/// A hull goes where a compiled shaft goes, alone or among shafts, for views, streams and trees. set_contact(), calls
-/// for times (first_contact.hpp), calls for occluders (occluded.hpp), and the exact test of triangles throw
-/// InvalidArgument for a hull. The exact test is the default: pass TriangleTest::vertices.
+/// A hull goes where a compiled shaft goes, alone or among shafts, for views, streams and trees. Calls for times
+/// (first_contact.hpp), calls for occluders (occluded.hpp), and the exact test of triangles throw InvalidArgument for a
+/// hull. The exact test is the default: pass TriangleTest::vertices.
 ///
 /// A *box* is outside a hull iff the two have no point in common, and inside iff all of it lies in the hull. Both are
 /// exact for the floats given, wherever the points lie. The usual test of a frustum by its six planes keeps large boxes
@@ -15,7 +15,15 @@
 /// errs to the safe side, by about 2⁻²⁸ of the largest coordinate: no sphere that meets the hull is outside, none that
 /// leaves it is inside. All machines give the same answers.
 ///
-/// Contact is always closed: bounds that touch a hull are not outside.
+/// Contact is closed: bounds that touch a hull are not outside. A copy of the shaft can have open contact, as in
+/// `CompiledShaft shaft = hull; set_contact(shaft, Contact::open);`. Then
+/// * a box is outside iff its relative interior has no point in common with that of the hull, exactly. The relative
+///   interior of a flat hull is the hull without its rim; of a segment, the segment without its ends; of a point, the
+///   point. With HullTest::conservative a box is outside iff it is beyond one of the faces that the test looks at, or
+///   touches it from outside;
+/// * a sphere with a radius is outside also if it touches a face of the box around the hull from outside. One that
+///   touches another plane may be kept. One of radius 0 is answered as the box that is this point, exactly;
+/// * bounds that are not outside are inside as with closed contact.
 ///
 /// keeps() and classify() of one bound take about 10 to 20 ns for a view (Zen 4), and as long for a hull with
 /// directions.

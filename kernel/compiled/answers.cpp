@@ -20,13 +20,6 @@ void refuse_kind(std::size_t position) {
                                "blocks it; only a shaft between two boxes has two ends to hide from each other"));
 }
 
-void refuse_contact_of_hull(std::size_t position) {
-  kernel::fail(InvalidArgument(
-      "shaft " + std::to_string(position) +
-      " is a convex hull, whose contact is closed; only shafts between boxes and of moving boxes have " +
-      "a choice of contact"));
-}
-
 void refuse_exact_test(std::size_t position) {
   kernel::fail(InvalidArgument("shaft " + std::to_string(position) +
                                " is a convex hull, which triangles are compared with by " +

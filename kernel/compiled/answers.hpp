@@ -26,16 +26,6 @@ inline void require_two_ends(const ShaftData& shaft, std::size_t position) {
     refuse_kind(position);
 }
 
-[[noreturn]] void refuse_contact_of_hull(std::size_t position);
-
-/// Throws InvalidArgument for a shaft that was never formed, and for a convex hull, which has closed contact only.
-/// `position` as above.
-inline void require_contact_of_choice(const ShaftData& shaft, std::size_t position) {
-  require_formed(shaft, position);
-  if (shaft.is_hull()) [[unlikely]]
-    refuse_contact_of_hull(position);
-}
-
 [[noreturn]] void refuse_exact_test(std::size_t position);
 
 /// Throws InvalidArgument for a convex hull, which answers triangles by vertices only. `position` as above.

@@ -33,7 +33,6 @@ TEST_F(CliCull, RefusesOptionsOfShaftsThatDoNotGoTogether) {
                                 with(hull, {"--times"}),
                                 with(hull, {"--first"}),
                                 with(hull, {"--solid"}),
-                                with(hull, {"--contact", "open"}),
                                 with(hull, {"--triangles", "exact"}),
                                 with(ends, {"--triangles", "exact", "--times"}),
                                 with(ends, {"--triangles", "exact", "--first"}),

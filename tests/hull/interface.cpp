@@ -36,16 +36,20 @@ static_assert(!std::is_assignable_v<CompiledShaft&, ConvexHull> &&
 static_assert(std::is_convertible_v<const ConvexHull&, CompiledShaft>);
 static_assert(std::is_invocable_v<decltype([](const CompiledShaft& /*shaft*/) {}), ConvexHull>);
 
-TEST(HullInterface, OpenContactIsRefused) {
+TEST(HullInterface, CopiesOfTheShaftHaveAContactOfTheirOwn) {
   const ConvexHull hull(tetrahedron);
-  EXPECT_EQ(hull.compiled().contact(), Contact::closed);
+  const Box behind{{-1, -1, -1}, {0, 5, 5}};
   std::vector<CompiledShaft> shafts = {compile({{0, 0, 0}, {1, 1, 1}}, {{2, 2, 2}, {3, 3, 3}}), hull.compiled()};
-  for (const Contact contact : {Contact::closed, Contact::open}) {
-    EXPECT_THAT(message_of([&] { set_contact(shafts, contact); }),
-                HasSubstr("shaft 1 is a convex hull, whose contact is closed"));
-    EXPECT_THAT(message_of([&] { set_contact(shafts[1], contact); }), HasSubstr("shaft 0 is a convex hull"));
-  }
-  EXPECT_EQ(shafts[0].contact(), Contact::closed) << "written before the error was found";
+  EXPECT_TRUE(keeps(shafts[1], behind));
+  set_contact(shafts, Contact::open);
+  EXPECT_EQ(shafts[1].contact(), Contact::open);
+  EXPECT_EQ(hull.compiled().contact(), Contact::closed);
+  EXPECT_FALSE(keeps(shafts[1], behind));
+  EXPECT_TRUE(keeps(hull, behind));
+  EXPECT_EQ(CompiledShaft(shafts[1]).contact(), Contact::open);
+  set_contact(shafts[1], Contact::closed);
+  EXPECT_EQ(shafts[1].contact(), Contact::closed);
+  EXPECT_TRUE(keeps(shafts[1], behind));
 }
 
 TEST(HullInterface, TheTestIsThatOfTheViewAndKept) {

@@ -178,8 +178,8 @@ class Shafts:
     def open_contact(self) -> _Bools:
         """bool (n,), or a bool: whether bounds that only touch a shaft are left out."""
     def with_contact(self, contact: _Contact) -> Shafts:
-        """Copies that keep bounds which only touch them ('closed') or do not ('open'). ValueError for other words, and
-        for hulls, which have closed contact only.
+        """Copies that keep bounds which only touch them ('closed') or do not ('open'); of a hull, copies of
+        Shafts.concatenate([hull]). ValueError for other words.
         """
     def completed(self) -> Shafts:
         """Copies with their planes worked out, about 65 ns each. It pays for shafts of several queries about spheres,
@@ -204,7 +204,8 @@ class ConvexHull:
         their view.
 
     Boxes are answered exactly, spheres to the safe side, triangles by their vertices only
-    (triangle_test='vertices'). Queries for times and for occluders refuse a hull, and so does open contact.
+    (triangle_test='vertices'). Queries for times and for occluders refuse a hull. Contact is closed;
+    Shafts.concatenate([hull]).with_contact('open') leaves out bounds that only touch the hull.
     """
     def __init__(self, points: _Floats, directions: _Floats | None = None, test: _HullTest = "exact") -> None: ...
     @staticmethod

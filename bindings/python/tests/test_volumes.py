@@ -97,8 +97,11 @@ def test_hulls_go_where_shafts_go():
         np.testing.assert_array_equal(holder.cull(both), [holder.cull(hull)] * 3)
         with pytest.raises(ValueError, match="hull"):
             holder.first_contact(hull)
-        with pytest.raises(ValueError, match="hull"):
-            both.with_contact("open")
+        touching = sc.BoxStream(np.array([[-1, -1, -1, 0, 9, 9], [0, 0, 0, 1, 1, 1]], np.float32))
+        np.testing.assert_array_equal(touching.cull(both), [[True, True]] * 3)
+        opened = both.with_contact("open")
+        np.testing.assert_array_equal(opened.open_contact, [True] * 3)
+        np.testing.assert_array_equal(touching.cull(opened), [[False, True]] * 3)
     np.testing.assert_array_equal(hull.box, [0, 0, 0, 5, 3, 2])
     np.testing.assert_array_equal(hull.points, corners)
 

@@ -214,7 +214,10 @@ export interface Shafts extends Volume {
    * points out, and the offset. For shafts between two boxes.
    */
   joiningPlanes(options?: {at?: number}): Float32Array;
-  /** Chooses for all shafts whether bounds that only touch them are kept. Refuses hulls. */
+  /**
+   * Chooses for all shafts whether bounds that only touch them are kept. Of a hull, choose it for
+   * `concatenate([hull])`.
+   */
   setContact(contact: Contact): void;
   /** Chooses the form of all shafts. Answers stay the same. Hulls have one form, and stay as they are. */
   setForm(form: Form): void;

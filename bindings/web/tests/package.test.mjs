@@ -879,6 +879,10 @@ describe('hulls', () => {
     assert.throws(() => tree.firstContact(hull), ShaftcullError);
     hull.points.fill(0);
     assert.equal(hull.points[0], -5, 'points are copies');
+    const open = shaftcull.concatenate([hull]);
+    open.setContact('open');
+    const below = [-9, -9, -9, 9, 9, -5];
+    assert.deepEqual([hull.keeps(below), open.keeps(below), open.describe().contact], [true, false, 'open']);
     const triangles = [0, 0, 0, 1, 0, 0, 0, 1, 0, 20, 0, 0, 21, 0, 0, 20, 1, 0];
     for (const holder of [shaftcull.triangleStream(triangles), shaftcull.triangleTree(triangles)]) {
       assert.deepEqual([...holder.list(hull)], [0]);

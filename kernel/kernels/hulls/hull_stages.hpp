@@ -2,7 +2,9 @@
 /// The stages of a convex hull's tests, on the bounds of one block.
 #pragma once
 
+#include "compiled/shaft_data.hpp"
 #include "kernels/hulls/hull_boxes.hpp"
+#include "kernels/hulls/hull_contact.hpp"
 #include "kernels/hulls/hull_spheres.hpp"
 #include "kernels/shared/survivors.hpp"
 #include "kernels/shared/word.hpp"
@@ -32,6 +34,23 @@ struct HullStages {
                                      });
   }
 
+  /// With open contact, clears the bits of boxes that only touch the hull; others that the bits are set of meet it.
+  SHAFTCULL_NOINLINE static void cull_touching_boxes(const HullData& hull, const float* const* stream,
+                                                     std::size_t count, std::uint64_t* kept) noexcept {
+    run_on_survivors<L, box_streams>(stream, count, kept,
+                                     [&](const float* const* some, std::size_t words, std::uint64_t* bits) {
+                                       hull_contact_stage<L>(hull, some, words, bits);
+                                     });
+  }
+
+  /// Writes the kept bits of `count` boxes, with any contact.
+  static void cull_boxes(const ShaftData& shaft, const float* const* stream, std::size_t count,
+                         std::uint64_t* kept) noexcept {
+    cull_boxes(*shaft.hull, stream, count, kept);
+    if (shaft.is_open_hull()) [[unlikely]]
+      cull_touching_boxes(*shaft.hull, stream, count, kept);
+  }
+
   // Of `count` bounds, these clear the bits of those that are not what the name says. Bits behind the last stay clear.
 
   SHAFTCULL_NOINLINE static void find_boxes_inside(const HullData& hull, const float* const* stream, std::size_t count,
@@ -42,11 +61,11 @@ struct HullStages {
                                      });
   }
 
-  SHAFTCULL_NOINLINE static void cull_spheres(const HullData& hull, const float* const* stream, std::size_t count,
-                                              std::uint64_t* kept) noexcept {
+  SHAFTCULL_NOINLINE static void cull_spheres(const HullData& hull, Contact contact, const float* const* stream,
+                                              std::size_t count, std::uint64_t* kept) noexcept {
     run_on_survivors<L, sphere_streams>(stream, count, kept,
                                         [&](const float* const* some, std::size_t words, std::uint64_t* bits) {
-                                          hull_spheres_stage<L, false>(hull, some, words, bits);
+                                          hull_spheres_stage<L, false>(hull, contact, some, words, bits);
                                         });
   }
 
@@ -54,7 +73,7 @@ struct HullStages {
                                                      std::size_t count, std::uint64_t* inside) noexcept {
     run_on_survivors<L, sphere_streams>(stream, count, inside,
                                         [&](const float* const* some, std::size_t words, std::uint64_t* bits) {
-                                          hull_spheres_stage<L, true>(hull, some, words, bits);
+                                          hull_spheres_stage<L, true>(hull, Contact::closed, some, words, bits);
                                         });
   }
 };

@@ -164,7 +164,7 @@ SHAFTCULL_NOINLINE void cull_boxes_around(const ShaftData& shaft, const float* c
   const float* boxes[6];
   for (unsigned s = 0; s < 6; ++s) boxes[s] = box[s];
   if (shaft.is_hull()) [[unlikely]]
-    return HullStages<L>::cull_boxes(*shaft.hull, boxes, count, kept);
+    return HullStages<L>::cull_boxes(shaft, boxes, count, kept);
   const ConsecutiveWords<L> position{.rest = static_cast<unsigned>(count % word_bits)};
   box_slab_stage<L>(shaft, boxes, count / word_bits, kept, position);
   if (shaft.still_faces != 0) [[unlikely]]
@@ -205,6 +205,7 @@ SHAFTCULL_NOINLINE void clear_those_with_a_vertex_in(const ShaftData& shaft, con
         return vertex_in_shaft_stage<L, endless>;
       case exact:
       case hull:
+      case open_hull:
         return nullptr;
     }
     return nullptr;

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+/// Boxes that touch a convex hull with open contact. The other stages have found those that miss it.
+#pragma once
+
+#include "exact/convex_hull.hpp"
+#include "kernels/hulls/hull_depths.hpp"
+#include "kernels/shared/word.hpp"
+
+namespace shaftcull::kernel {
+
+/// Bits of the boxes of the vector at `at` that may touch a plane of the hull or a face of its box. All others reach
+/// behind each of them.
+template <class L, bool bounded>
+[[nodiscard]] std::uint64_t hull_touching_vector(const HullData& hull, const float* const* stream,
+                                                 std::size_t at) noexcept {
+  HullDepths<L, 1, bounded> depths;
+  depths.template add_boxes<3, HullCorner::near>(hull, 0, hull.faces, stream, at);
+  depths.template add_boxes<2, HullCorner::near>(hull, hull.faces, hull.faces + hull.edges, stream, at);
+  auto touches =
+      bounded ? L::less_equal(depths.most[0], L::all(2 * hull_margin)) : L::less_equal(depths.least[0], L::all(0.0F));
+  for (unsigned k = 0; k < 3; ++k) {
+    const auto at_lo = L::less_equal(L::load(stream[k + 3] + at), L::all(hull.box[k]));
+    const auto at_hi = L::less_equal(L::all(hull.box[k + 3]), L::load(stream[k] + at));
+    touches = L::either(touches, L::either(at_lo, at_hi));
+  }
+  return L::bits(touches);
+}
+
+/// Clears the bits of boxes that are kept with closed contact and not with open contact.
+template <class L>
+void hull_contact_stage(const HullData& hull, const float* const* stream, std::size_t words,
+                        std::uint64_t* kept) noexcept {
+  for (std::size_t w = 0; w < words; ++w) {
+    std::uint64_t touching = hull.suits_floats ? 0 : ~std::uint64_t{0};
+    for (unsigned lane = 0; lane < word_bits && hull.suits_floats; lane += L::width) {
+      if ((kept[w] & lanes_of<L>(lane)) == 0) continue;
+      const std::size_t at = w * word_bits + lane;
+      touching |= (hull.is_bounded ? hull_touching_vector<L, true>(hull, stream, at)
+                                   : hull_touching_vector<L, false>(hull, stream, at))
+                  << lane;
+    }
+    touching &= kept[w];
+    if (touching == 0) continue;
+    kept[w] &= ~decide_lanes<L>(touching, [&](unsigned lane) {
+      return hull_box_outside_openly(hull, BoundAt<L, 6>(stream, w * word_bits + lane).value);
+    });
+  }
+}
+
+}  // namespace shaftcull::kernel
