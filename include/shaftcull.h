@@ -180,7 +180,7 @@ enum {
   SHAFTCULL_FORM_PLANES = 1 /* the paper's planes with near corners */
 };
 
-/// How triangles are tested (triangles.hpp). Convex hulls take the test by vertices only.
+/// How triangles are tested (triangles.hpp).
 typedef uint32_t shaftcull_triangle_test;
 enum {
   SHAFTCULL_TRIANGLES_EXACT = 0,      /* the triangle itself */

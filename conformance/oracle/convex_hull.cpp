@@ -105,6 +105,41 @@ Answer ConvexHull::answer(const Box& box) const {
   return inside ? Answer::inside : Answer::overlap;
 }
 
+bool ConvexHull::misses(const Triangle& triangle) const {
+  const Vector corner[3] = {vector(triangle.vertex[0]), vector(triangle.vertex[1]), vector(triangle.vertex[2])};
+  const auto least_of = [&](const Vector& normal) {
+    return std::min({dot(normal, corner[0]), dot(normal, corner[1]), dot(normal, corner[2])});
+  };
+  for (const Plane& plane : planes_) {
+    if (least_of(plane.normal) > plane.offset) return true;
+  }
+  const auto parts = [&](const Vector& normal) {
+    if (normal == Vector{}) return false;
+    for (const int sign : {1, -1}) {
+      const Vector outward{sign * normal[0], sign * normal[1], sign * normal[2]};
+      const bool is_bounded =
+          std::all_of(directions_.begin(), directions_.end(), [&](const Vector& d) { return dot(outward, d) <= 0; });
+      if (!is_bounded) continue;
+      const mpq_class least = least_of(outward);
+      const auto is_below = [&](const Vector& p) { return dot(outward, p) < least; };
+      if (std::all_of(points_.begin(), points_.end(), is_below)) return true;
+    }
+    return false;
+  };
+  std::vector<Vector> along = directions_;
+  for (std::size_t axis = 0; axis != 3; ++axis) along.push_back(unit(axis));
+  for (std::size_t i = 0; i != points_.size(); ++i) {
+    for (std::size_t j = i + 1; j != points_.size(); ++j) along.push_back(minus(points_[j], points_[i]));
+  }
+  for (std::size_t e = 0; e != 3; ++e) {
+    const Vector edge = minus(corner[(e + 1) % 3], corner[e]);
+    for (const Vector& other : along) {
+      if (parts(cross(edge, other))) return true;
+    }
+  }
+  return parts(cross(minus(corner[1], corner[0]), minus(corner[2], corner[0])));
+}
+
 bool ConvexHull::is_beyond(const Sphere& sphere, double slack, Contact contact) const {
   const Vector centre = vector(sphere.centre);
   return std::any_of(planes_.begin(), planes_.end(), [&](const Plane& plane) {

@@ -4,7 +4,8 @@
 /// Two convex polyhedra, of which one is bounded, have no point in common iff a plane separates them that is parallel
 /// to a face of one of them, or to an edge of each. The other one being a box, that is a plane through three vertices
 /// of the hull, through two of them and parallel to an axis, or perpendicular to an axis. All of them are tried, those
-/// that are no faces and edges of the hull, too.
+/// that are no faces and edges of the hull, too. With a triangle, planes parallel to it, or to an edge of it and any
+/// two vertices of the hull or an axis, are tried as well.
 #pragma once
 
 #include <gmpxx.h>
@@ -17,6 +18,7 @@
 #include "shaftcull/bounds.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
+#include "shaftcull/triangles.hpp"
 
 namespace shaftcull {
 
@@ -38,6 +40,9 @@ class ConvexHull {
 
   /// Infinite extents are unbounded boxes; a box with lo > hi meets nothing.
   [[nodiscard]] Answer answer(const Box& box) const;
+
+  /// Whether a triangle, of finite vertices, has no point in common with the hull.
+  [[nodiscard]] bool misses(const Triangle& triangle) const;
 
   /// Whether the sphere, with a finite centre and radius, is beyond one of the planes that are spanned by more than its
   /// radius times 1 + `slack`, and `slack` of its coordinates and the largest of the hull's; with open contact, by as

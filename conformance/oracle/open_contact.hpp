@@ -62,6 +62,7 @@ class OpenConvexHull {
   explicit OpenConvexHull(const HullInput& input) : open_(input), closed_(input) {}
 
   [[nodiscard]] Answer answer(const Box& box) const { return open_.answer(box); }
+  [[nodiscard]] bool misses(const Triangle& triangle) const { return open_.is_separated(triangle); }
   /// As ConvexHull::corrected(). A sphere without a radius is a box, and has one answer.
   [[nodiscard]] Answer corrected(const Sphere& sphere, Answer answer) const;
 

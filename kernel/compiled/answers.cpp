@@ -20,12 +20,6 @@ void refuse_kind(std::size_t position) {
                                "blocks it; only a shaft between two boxes has two ends to hide from each other"));
 }
 
-void refuse_exact_test(std::size_t position) {
-  kernel::fail(InvalidArgument("shaft " + std::to_string(position) +
-                               " is a convex hull, which triangles are compared with by " +
-                               "their vertices only; ask it with TriangleTest::vertices"));
-}
-
 void refuse_hull(std::size_t position) {
   kernel::fail(InvalidArgument("shaft " + std::to_string(position) +
                                " is a convex hull, in which nothing moves; shafts are asked when they reach a box"));

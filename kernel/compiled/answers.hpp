@@ -26,14 +26,6 @@ inline void require_two_ends(const ShaftData& shaft, std::size_t position) {
     refuse_kind(position);
 }
 
-[[noreturn]] void refuse_exact_test(std::size_t position);
-
-/// Throws InvalidArgument for a convex hull, which answers triangles by vertices only. `position` as above.
-inline void require_no_hull_for_exact_test(const ShaftData& shaft, std::size_t position) {
-  if (shaft.is_hull()) [[unlikely]]
-    refuse_exact_test(position);
-}
-
 [[noreturn]] void refuse_hull(std::size_t position);
 
 /// Throws InvalidArgument for a convex hull: nothing moves there. `position` as above.

@@ -117,25 +117,6 @@ struct FarCorner {
   }
 };
 
-/// Whether all of the hull lies in one of its planes: it is flat.
-bool holds_hull(const HullData& hull, unsigned number) noexcept {
-  const HullPlane& plane = hull.plane[number];
-  if (number >= hull.faces) {
-    const ProjectedLine line(hull, plane.axis, plane.vertices[0], plane.vertices[1]);
-    for (unsigned v = 0; v < hull.vertices; ++v) {
-      if (line.side_of(hull, v) != 0) return false;
-    }
-    return true;
-  }
-  const SpannedPlane face = plane_through(hull, plane.vertices);
-  const unsigned p = plane.vertices[0];
-  for (unsigned v = 0; v < hull.vertices; ++v) {
-    const Step to[3] = {step_between(hull, p, v, 0), step_between(hull, p, v, 1), step_between(hull, p, v, 2)};
-    if (face.sign_along(to) != 0) return false;
-  }
-  return true;
-}
-
 /// Whether a plane holds both the hull and a box that has its near corner in it.
 bool holds_both(const HullData& hull, unsigned number, const float (&bound)[6]) noexcept {
   const unsigned coordinates = Axes(hull, number).count;
@@ -143,7 +124,7 @@ bool holds_both(const HullData& hull, unsigned number, const float (&bound)[6]) 
   for (unsigned i = 0; i < coordinates; ++i) {
     if (!std::isfinite(bound[far.stream[i]])) return false;
   }
-  return corner_side(hull, number, bound, far.stream) == 0 && holds_hull(hull, number);
+  return corner_side(hull, number, bound, far.stream) == 0 && plane_holds_hull(hull, number);
 }
 
 /// Whether one of the planes [first, last) parts a box from the hull: has the box beyond it, or with open contact on
@@ -260,6 +241,24 @@ SpannedPlane plane_through(const HullData& hull, const std::uint8_t (&vertices)[
     v[k] = step_between(hull, vertices[0], vertices[2], k);
   }
   return {point, u, v};
+}
+
+bool plane_holds_hull(const HullData& hull, unsigned number) noexcept {
+  const HullPlane& plane = hull.plane[number];
+  if (number >= hull.faces) {
+    const ProjectedLine line(hull, plane.axis, plane.vertices[0], plane.vertices[1]);
+    for (unsigned v = 0; v < hull.vertices; ++v) {
+      if (line.side_of(hull, v) != 0) return false;
+    }
+    return true;
+  }
+  const SpannedPlane face = plane_through(hull, plane.vertices);
+  const unsigned p = plane.vertices[0];
+  for (unsigned v = 0; v < hull.vertices; ++v) {
+    const Step to[3] = {step_between(hull, p, v, 0), step_between(hull, p, v, 1), step_between(hull, p, v, 2)};
+    if (face.sign_along(to) != 0) return false;
+  }
+  return true;
 }
 
 bool hull_box_outside(const HullData& hull, const float (&bound)[6]) noexcept {

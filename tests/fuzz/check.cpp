@@ -167,7 +167,7 @@ class Comparison {
         if (!it_.is_moving() && !it_.is_hull() && (isa == Isa::scalar || is_drawn(isa)))
           require_exact_blocking(shaft, isa);
       }
-      if (!it_.is_hull()) run_on_triangles(shaft);
+      run_on_triangles(shaft);
     }
     if (!draw_ || *draw_ % 4 == 0) {
       for (const Isa isa : isas()) {
@@ -272,7 +272,9 @@ class Comparison {
     if (draw_ && *draw_ % 8 != 0) return;  // rationals take long
     const Case::Input input = it_.input();
     const auto* const moving = std::get_if<MovingInput>(&input);
+    const auto* const hull = std::get_if<HullInput>(&input);
     const bool is_outside = moving != nullptr ? oracle::is_outside(*moving, triangle, test)
+                            : hull != nullptr ? oracle::is_outside(*hull, triangle, test, it_.contact)
                                               : oracle::is_outside(std::get<ShaftInput>(input), triangle, test);
     if (is_outside != is_kept) return;
     fail("a triangle is answered wrongly: " + source_text(triangle), it_);

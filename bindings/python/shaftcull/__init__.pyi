@@ -203,9 +203,9 @@ class ConvexHull:
         view by its planes. It is quicker, and keeps some boxes beside edges and corners. Casters take that of
         their view.
 
-    Boxes are answered exactly, spheres to the safe side, triangles by their vertices only
-    (triangle_test='vertices'). Queries for times and for occluders refuse a hull. Contact is closed;
-    Shafts.concatenate([hull]).with_contact('open') leaves out bounds that only touch the hull.
+    Boxes and triangles are answered exactly, spheres to the safe side. Queries for times and for occluders refuse
+    a hull. Contact is closed; Shafts.concatenate([hull]).with_contact('open') leaves out bounds that only touch
+    the hull.
     """
     def __init__(self, points: _Floats, directions: _Floats | None = None, test: _HullTest = "exact") -> None: ...
     @staticmethod
@@ -269,7 +269,7 @@ class Bounds:
         exclude_mask: bool (bounds,): True leaves a bound out for all shafts.
         layer_mask: integers from 0 to 2**32 - 1, one or (n,): leaves out bounds in none of these layers.
         only: integers (k,): looks only at these bounds, such as candidates of a larger shaft, in their order.
-        triangle_test: 'exact'; for triangles also 'vertices', which is cheaper, keeps more, and is needed for hulls.
+        triangle_test: 'exact'; for triangles also 'vertices', which is cheaper and keeps more.
 
         TypeError, ValueError or IndexError names the argument that does not fit; NeedsRefit is for a tree that needs
         refit(), RuntimeError for bounds that another thread is changing. One shaft runs on the calling thread, n on
@@ -295,7 +295,7 @@ class Bounds:
         exclude_mask: bool (bounds,): True leaves a bound out for all shafts.
         layer_mask: integers from 0 to 2**32 - 1, one or (n,): leaves out bounds in none of these layers.
         only: integers (k,): looks only at these bounds, such as candidates of a larger shaft, in their order.
-        triangle_test: 'exact'; for triangles also 'vertices', which is cheaper, keeps more, and is needed for hulls.
+        triangle_test: 'exact'; for triangles also 'vertices', which is cheaper and keeps more.
 
         TypeError, ValueError or IndexError names the argument that does not fit; NeedsRefit is for a tree that needs
         refit(), RuntimeError for bounds that another thread is changing. One shaft runs on the calling thread, n on
@@ -322,7 +322,7 @@ class Bounds:
         exclude_mask: bool (bounds,): True leaves a bound out for all shafts.
         layer_mask: integers from 0 to 2**32 - 1, one or (n,): leaves out bounds in none of these layers.
         only: integers (k,): looks only at these bounds, such as candidates of a larger shaft, in their order.
-        triangle_test: 'exact'; for triangles also 'vertices', which is cheaper, keeps more, and is needed for hulls.
+        triangle_test: 'exact'; for triangles also 'vertices', which is cheaper and keeps more.
 
         TypeError, ValueError or IndexError names the argument that does not fit; NeedsRefit is for a tree that needs
         refit(), RuntimeError for bounds that another thread is changing. One shaft runs on the calling thread, n on
@@ -350,7 +350,7 @@ class Bounds:
         layer_mask: integers from 0 to 2**32 - 1, one or (n,): leaves out bounds in none of these layers.
         limit: an integer of 0 or more: stops at so many results for each shaft, the first ones.
         only: integers (k,): looks only at these bounds, such as candidates of a larger shaft, in their order.
-        triangle_test: 'exact'; for triangles also 'vertices', which is cheaper, keeps more, and is needed for hulls.
+        triangle_test: 'exact'; for triangles also 'vertices', which is cheaper and keeps more.
 
         TypeError, ValueError or IndexError names the argument that does not fit; NeedsRefit is for a tree that needs
         refit(), RuntimeError for bounds that another thread is changing. One shaft runs on the calling thread, n on
@@ -376,7 +376,7 @@ class Bounds:
         exclude_mask: bool (bounds,): True leaves a bound out for all shafts.
         layer_mask: integers from 0 to 2**32 - 1, one or (n,): leaves out bounds in none of these layers.
         only: integers (k,): looks only at these bounds, such as candidates of a larger shaft, in their order.
-        triangle_test: 'exact'; for triangles also 'vertices', which is cheaper, keeps more, and is needed for hulls.
+        triangle_test: 'exact'; for triangles also 'vertices', which is cheaper and keeps more.
 
         TypeError, ValueError or IndexError names the argument that does not fit; NeedsRefit is for a tree that needs
         refit(), RuntimeError for bounds that another thread is changing. One shaft runs on the calling thread, n on
@@ -407,7 +407,7 @@ class Bounds:
         layer_mask: integers from 0 to 2**32 - 1, one or (n,): leaves out bounds in none of these layers.
         limit: an integer of 0 or more: stops at so many results for each shaft, the first ones.
         only: integers (k,): looks only at these bounds, such as candidates of a larger shaft, in their order.
-        triangle_test: 'exact'; for triangles also 'vertices', which is cheaper, keeps more, and is needed for hulls.
+        triangle_test: 'exact'; for triangles also 'vertices', which is cheaper and keeps more.
 
         TypeError, ValueError or IndexError names the argument that does not fit; NeedsRefit is for a tree that needs
         refit(), RuntimeError for bounds that another thread is changing. One shaft runs on the calling thread, n on
@@ -433,7 +433,7 @@ class Bounds:
         exclude_mask: bool (bounds,): True leaves a bound out for all shafts.
         layer_mask: integers from 0 to 2**32 - 1, one or (n,): leaves out bounds in none of these layers.
         only: integers (k,): looks only at these bounds, such as candidates of a larger shaft, in their order.
-        triangle_test: 'exact'; for triangles also 'vertices', which is cheaper, keeps more, and is needed for hulls.
+        triangle_test: 'exact'; for triangles also 'vertices', which is cheaper and keeps more.
 
         TypeError, ValueError or IndexError names the argument that does not fit; NeedsRefit is for a tree that needs
         refit(), RuntimeError for bounds that another thread is changing. One shaft runs on the calling thread, n on

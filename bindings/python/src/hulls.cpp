@@ -63,9 +63,9 @@ test: 'exact', or 'conservative': boxes are outside only if they are beyond one 
     view by its planes. It is quicker, and keeps some boxes beside edges and corners. Casters take that of
     their view.
 
-Boxes are answered exactly, spheres to the safe side, triangles by their vertices only
-(triangle_test='vertices'). Queries for times and for occluders refuse a hull. Contact is closed;
-Shafts.concatenate([hull]).with_contact('open') leaves out bounds that only touch the hull.)")
+Boxes and triangles are answered exactly, spheres to the safe side. Queries for times and for occluders refuse
+a hull. Contact is closed; Shafts.concatenate([hull]).with_contact('open') leaves out bounds that only touch
+the hull.)")
       .def(py::init(&hull_of), arg("points"), arg("directions") = py::none(), arg("test") = "exact")
       .def_static(
           "frustum",

@@ -126,8 +126,7 @@ export interface Shaftcull {
     pairs?: ArrayLike<number>, reach?: number, planesLights?: Floats, planesOccluders?: Floats,
   }): Shafts;
   /**
-   * Copies of all shafts of these parts, one behind the other, so that one query asks them all. Queries about triangles
-   * need `triangleTest: 'vertices'` if there is a hull among them.
+   * Copies of all shafts of these parts, one behind the other, so that one query asks them all.
    */
   concatenate(parts: readonly Volume[]): Shafts;
   /** The convex hull of points, and of what lies from them along directions; at most 32 of both, 3 floats each. */
@@ -194,10 +193,7 @@ export interface Volume extends Held {
   keeps(bound: Floats, options?: {at?: number, triangleTest?: TriangleTest}): boolean;
 }
 
-/**
- * A convex hull: it goes wherever one shaft goes. Triangles are compared with it by their vertices, which keeps some
- * that are outside.
- */
+/** A convex hull: it goes wherever one shaft goes. */
 export interface Hull extends Volume {
   /** 3 floats each, as they were given. */
   readonly points: Float32Array;

@@ -9,6 +9,7 @@
 #include "kernels/boxes/box_contact.hpp"
 #include "kernels/boxes/slab_stages.hpp"
 #include "kernels/hulls/hull_stages.hpp"
+#include "kernels/hulls/hull_triangles.hpp"
 #include "kernels/shared/survivors.hpp"
 #include "kernels/shared/word.hpp"
 #include "kernels/triangles/boxes_around_triangles.hpp"
@@ -217,6 +218,15 @@ SHAFTCULL_NOINLINE void clear_those_with_a_vertex_in(const ShaftData& shaft, con
   });
 }
 
+/// The same for a convex hull.
+template <class L>
+SHAFTCULL_NOINLINE void cull_by_planes_of_hull(const ShaftData& shaft, const float* const* stream, std::size_t count,
+                                               std::uint64_t* kept) noexcept {
+  run_on_triangles<L>(stream, count, kept, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
+    hull_triangles_stage<L>(*shaft.hull, shaft.contact, some, n, bits);
+  });
+}
+
 /// Those with a vertex in the shaft are found first, which takes a tenth as long as all axes: few are left for these.
 template <class L>
 SHAFTCULL_NOINLINE void cull_by_axes(const ShaftData& shaft, const float* const* stream, std::size_t count,
@@ -243,7 +253,13 @@ void test_triangle_blocks(const ShaftData& shaft, bool exactly, const float* con
     const std::size_t block = count < triangle_block ? count : triangle_block;
     cull_boxes_around<L>(shaft, at, block, kept);
     if (shaft.added_count != 0) cull_by_added_planes<L>(shaft, at, block, kept);
-    if (exactly) cull_by_axes<L>(shaft, at, block, kept);
+    if (exactly) {
+      if (shaft.is_hull()) [[unlikely]] {
+        cull_by_planes_of_hull<L>(shaft, at, block, kept);
+      } else {
+        cull_by_axes<L>(shaft, at, block, kept);
+      }
+    }
     count -= block;
     for (const float*& s : at) s += block;
     kept += words_of(block);
