@@ -51,6 +51,12 @@ std::vector<Answer> answers(const CompiledShaft& shaft, const std::vector<Bound>
   EXPECT_EQ(other, kept) << "in a tree";
   EXPECT_EQ(other_inside, inside) << "in a tree";
   EXPECT_EQ(count(shaft, tree), count(shaft, memory.view()));
+  for (const std::size_t few : {2U, 5U, 16U}) {  // other stages than of many
+    if (few > bounds.size()) break;
+    std::uint64_t word = 0;
+    cull(shaft, memory.view().slice(0, few), {&word, 1});
+    EXPECT_EQ(word, kept[0] & ((std::uint64_t{1} << few) - 1)) << few;
+  }
   std::vector<Answer> all;
   for (std::size_t i = 0; i != bounds.size(); ++i) {
     const bool is_kept = (kept[i / 64] >> i % 64 & 1U) != 0;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "exact/convex_hull.hpp"
+#include "kernels/hulls/hull_boxes.hpp"
 #include "kernels/hulls/hull_depths.hpp"
 #include "kernels/shared/word.hpp"
 
@@ -16,14 +17,9 @@ template <class L, bool bounded>
   HullDepths<L, 1, bounded> depths;
   depths.template add_boxes<3, HullCorner::near>(hull, 0, hull.faces, stream, at);
   depths.template add_boxes<2, HullCorner::near>(hull, hull.faces, hull.faces + hull.edges, stream, at);
-  auto touches =
+  const auto touches =
       bounded ? L::less_equal(depths.most[0], L::all(2 * hull_margin)) : L::less_equal(depths.least[0], L::all(0.0F));
-  for (unsigned k = 0; k < 3; ++k) {
-    const auto at_lo = L::less_equal(L::load(stream[k + 3] + at), L::all(hull.box[k]));
-    const auto at_hi = L::less_equal(L::all(hull.box[k + 3]), L::load(stream[k] + at));
-    touches = L::either(touches, L::either(at_lo, at_hi));
-  }
-  return L::bits(touches);
+  return L::bits(touches) | touching_hull_box<L, 1>(hull, stream, at);
 }
 
 /// Clears the bits of boxes that are kept with closed contact and not with open contact.

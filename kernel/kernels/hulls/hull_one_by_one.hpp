@@ -251,8 +251,8 @@ SHAFTCULL_NOINLINE Answer answer_box_by_stages(const HullData& hull, Contact con
   return answer_by_stages<L, 6>(
       box,
       [&](const float* const* stream, std::uint64_t* bits) {
+        if (contact == Contact::open) return HullStages<L>::cull_boxes_openly(hull, stream, 1, bits);
         HullStages<L>::cull_boxes(hull, stream, 1, bits);
-        if (contact == Contact::open) HullStages<L>::cull_touching_boxes(hull, stream, 1, bits);
       },
       [&](const float* const* stream, std::uint64_t* bits) {
         HullStages<L>::find_boxes_inside(hull, stream, 1, bits);

@@ -22,6 +22,8 @@ struct HullStages {
   /// Writes the kept bits of `count` boxes.
   SHAFTCULL_NOINLINE static void cull_boxes(const HullData& hull, const float* const* stream, std::size_t count,
                                             std::uint64_t* kept) noexcept {
+    if (count <= few_boxes_of_hull<L> && !has_one_stage(hull))
+      return few_boxes_stage<L, Contact::closed>(hull, stream, count, kept);
     in_whole_words<L>(stream, count, kept, padding_box,
                       [&](const float* const* all, std::size_t words, std::uint64_t* bits) {
                         first_hull_stage<L>(hull, all, words, bits, ConsecutiveWords<L>{});
@@ -43,12 +45,20 @@ struct HullStages {
                                      });
   }
 
+  SHAFTCULL_NOINLINE static void cull_boxes_openly(const HullData& hull, const float* const* stream, std::size_t count,
+                                                   std::uint64_t* kept) noexcept {
+    if (count <= few_boxes_of_hull<L> && !has_one_stage(hull))
+      return few_boxes_stage<L, Contact::open>(hull, stream, count, kept);
+    cull_boxes(hull, stream, count, kept);
+    cull_touching_boxes(hull, stream, count, kept);
+  }
+
   /// Writes the kept bits of `count` boxes, with any contact.
   static void cull_boxes(const ShaftData& shaft, const float* const* stream, std::size_t count,
                          std::uint64_t* kept) noexcept {
-    cull_boxes(*shaft.hull, stream, count, kept);
     if (shaft.is_open_hull()) [[unlikely]]
-      cull_touching_boxes(*shaft.hull, stream, count, kept);
+      return cull_boxes_openly(*shaft.hull, stream, count, kept);
+    cull_boxes(*shaft.hull, stream, count, kept);
   }
 
   // Of `count` bounds, these clear the bits of those that are not what the name says. Bits behind the last stay clear.
