@@ -241,16 +241,19 @@ SHAFTCULL_API shaftcull_status shaftcull_inscribed_box(const float* corners, uin
 typedef struct shaftcull_hull shaftcull_hull;
 
 /// The hull of `point_count` points, 3 floats each, extended without end along `direction_count` directions, which may
-/// be none. For a frustum, pass its eight corners; for two polygons or turned boxes, the corners of both. Refuses a
-/// hull without points, more than 32 points and directions, values that are not finite, a direction of 0, and a test
-/// that is none. O(n²): about 1.4 µs for 8 points, 10 µs for 32. Allocates about 9 KB. Freed by shaftcull_hull_free().
-SHAFTCULL_API shaftcull_status shaftcull_hull_create(const float* points, uint64_t point_count, const float* directions,
-                                                     uint64_t direction_count, shaftcull_hull_test test,
-                                                     shaftcull_hull** hull);
+/// be none. For a frustum, pass its eight corners; for two polygons or turned boxes, the corners of both. Then
+/// `first_end` of the points are those of the first, and queries about occluders take the hull: what hides one of the
+/// two from the other. It is 0 for a hull of one set of points, and for one with directions. Refuses a hull without
+/// points, an end without points, more than 32 points and directions, values that are not finite, a direction of 0, and
+/// a test that is none. O(n²): about 1.4 µs for 8 points, 10 µs for 32. Allocates about 12 KB. Freed by
+/// shaftcull_hull_free().
+SHAFTCULL_API shaftcull_status shaftcull_hull_create(const float* points, uint64_t point_count, uint64_t first_end,
+                                                     const float* directions, uint64_t direction_count,
+                                                     shaftcull_hull_test test, shaftcull_hull** hull);
 
 /// The view of a view-projection matrix, as for shaftcull_view_planes(). Without a far plane the hull has no end.
 /// Refuses a matrix that is not finite or not invertible, one with a corner that is not in front of the eye, and a
-/// depth or a test that is none. About 1.7 µs; allocates about 9 KB. Freed by shaftcull_hull_free().
+/// depth or a test that is none. About 1.7 µs; allocates about 12 KB. Freed by shaftcull_hull_free().
 SHAFTCULL_API shaftcull_status shaftcull_hull_of_frustum(const float matrix[16], shaftcull_clip_depth depth,
                                                          shaftcull_hull_test test, shaftcull_hull** hull);
 

@@ -2,7 +2,8 @@
 /// Convex hulls in place of shafts: view frusta, shadow casters of a view, volumes between polygons.
 ///
 /// A hull goes where a compiled shaft goes, alone or among shafts, for views, streams and trees. Calls for times
-/// (first_contact.hpp) and calls for occluders (occluded.hpp) throw InvalidArgument for a hull.
+/// (first_contact.hpp) throw InvalidArgument for a hull, and calls for occluders (occluded.hpp) for one that is not of
+/// between_polygons().
 ///
 /// A *box* is outside a hull iff the two have no point in common, and inside iff all of it lies in the hull. Both are
 /// exact for the floats given, wherever the points lie. The usual test of a frustum by its six planes keeps large boxes
@@ -13,6 +14,11 @@
 /// planes by at least its radius. So a sphere near a corner or an edge may be kept although it is outside. Rounding
 /// errs to the safe side, by about 2⁻²⁸ of the largest coordinate: no sphere that meets the hull is outside, none that
 /// leaves it is inside. All machines give the same answers.
+///
+/// *Planes* are not added to hulls. Those of two polygons that face each other cut nothing off the hull between them:
+/// all of it is in front of both. Where planes do matter, ask a shaft that has them as well, and keep bounds that both
+/// keep: `compile(hull.box(), hull.box(), planes)` keeps what meets the box around the hull and is beyond no plane.
+/// That is the answer that added planes would have, exactly, and costs less than a second test of the hull.
 ///
 /// Contact is closed: bounds that touch a hull are not outside. A copy of the shaft can have open contact, as in
 /// `CompiledShaft shaft = hull; set_contact(shaft, Contact::open);`. Then
@@ -59,7 +65,7 @@ enum class HullTest : std::uint8_t {
 /// The convex hull of up to 32 points, ready for queries. With directions the hull has no end: it holds all that is
 /// reached from the hull of the points along the directions.
 ///
-/// Const members are safe to call from many threads. Copies are deep. Forming or copying a hull allocates about 10 KB.
+/// Const members are safe to call from many threads. Copies are deep. Forming or copying a hull allocates about 12 KB.
 class SHAFTCULL_EXPORT ConvexHull {
  public:
   static constexpr std::size_t max_vertices = 32;  ///< of points and directions together
@@ -94,6 +100,12 @@ class SHAFTCULL_EXPORT ConvexHull {
   [[nodiscard]] HullTest test() const noexcept;
 
  private:
+  friend ConvexHull between_polygons(std::span<const Vec3> p, std::span<const Vec3> q, HullTest test);
+
+  /// `first_end` of the points are one of two ends, the others the second; 0 if there are no two.
+  ConvexHull(std::span<const Vec3> points, std::span<const Vec3> directions, HullTest test, std::size_t first_end);
+  void refer() noexcept;
+
   struct Parts;
   std::unique_ptr<Parts> parts_;
   CompiledShaft compiled_;  // refers to parts_
@@ -101,6 +113,16 @@ class SHAFTCULL_EXPORT ConvexHull {
 
 // Each function below forms a ConvexHull, with its time, allocation and std::bad_alloc, and is safe to call from many
 // threads. Form a view once per frame, not once per query.
+
+/// Returns the hull of two ends: polygons, turned boxes or others, each the convex hull of its corners, in any order.
+/// It is the shaft between them, and occluded(), find_occluder() and list_occluders() answer for it: a solid blocks it
+/// if every segment between the relative interiors of the two ends passes through the solid (occluded.hpp). All else is
+/// as for a ConvexHull of the corners of both.
+///
+/// Throws InvalidArgument if an end has no corner, if both together have more than ConvexHull::max_vertices, if a
+/// corner is not finite, or if `test` is not an enumerator.
+[[nodiscard]] SHAFTCULL_EXPORT ConvexHull between_polygons(std::span<const Vec3> p, std::span<const Vec3> q,
+                                                           HullTest test = HullTest::exact);
 
 /// Returns the volume that a view-projection matrix shows: the hull of its eight corners. For a projection without a
 /// far plane it is the hull of the four near corners and the four directions in which the view continues.

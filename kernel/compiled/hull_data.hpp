@@ -4,7 +4,11 @@
 
 #include <cstdint>
 
+#include "shaftcull/bounds.hpp"
+
 namespace shaftcull::kernel {
+
+struct ShaftData;
 
 /// A convex hull of points, or of points and directions: conv(points) + cone(directions).
 ///
@@ -69,6 +73,12 @@ struct HullData {
   PlaneGroup group[most_groups];
   Crease crease[most_creases + 1];  // and one behind the last that says nothing
   float facet[most_faces][3];       ///< normals of all faces, outwards, by the numbers that creases have
+  /// Of a hull that was formed between two ends, which may be hidden from each other; null, null, 0 and 0 for others.
+  const ShaftData* middle;     ///< a shaft that holds a segment between the relative interiors of the ends
+  float across[6];             ///< a solid that hides them has a lo at most [k], and a hi at least [k + 3], on axis k
+  const Vec3* corner;          ///< of the first end, then of the second, as they were given
+  std::uint8_t first_corners;  ///< how many are of the first
+  std::uint8_t corners;
   std::uint8_t creases;
   std::uint8_t facets;         ///< 0, and no creases, for hulls that were formed by a search, as flat ones are
   std::uint8_t culling_lanes;  ///< of the groups, those that boxes are culled by

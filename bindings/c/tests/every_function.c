@@ -117,7 +117,7 @@ static void values(void) {
 
 static void hulls(void) {
   shaftcull_hull* hull = NULL;
-  OK(shaftcull_hull_create(corners, 8, down, 1, SHAFTCULL_HULL_CONSERVATIVE, &hull));
+  OK(shaftcull_hull_create(corners, 8, 0, down, 1, SHAFTCULL_HULL_CONSERVATIVE, &hull));
   shaftcull_hull_info info;
   OK(shaftcull_hull_describe(hull, &info));
   CHECK(info.box.lo[1] == -INFINITY && info.box.hi[1] == 9 && info.point_count == 8 && info.direction_count == 1);
@@ -137,12 +137,14 @@ static void hulls(void) {
   OK(shaftcull_hull_of_casters_towards(view, down, &hull));
   shaftcull_hull_free(hull);
   hull = NULL;
-  REFUSED(shaftcull_hull_create(NULL, 0, NULL, 0, 0, &hull), "point");
-  REFUSED(shaftcull_hull_create(NULL, 8, NULL, 0, 0, &hull), "points is NULL");
-  REFUSED(shaftcull_hull_create(corners, 8, NULL, 1, 0, &hull), "directions is NULL");
-  REFUSED(shaftcull_hull_create(corners, 8, nan_vector, 1, 0, &hull), "direction");
-  REFUSED(shaftcull_hull_create(corners, 8, NULL, 0, 0, NULL), "hull is NULL");
-  REFUSED(shaftcull_hull_create(corners, 8, NULL, 0, 2, &hull), "test = 2");
+  REFUSED(shaftcull_hull_create(NULL, 0, 0, NULL, 0, 0, &hull), "point");
+  REFUSED(shaftcull_hull_create(NULL, 8, 0, NULL, 0, 0, &hull), "points is NULL");
+  REFUSED(shaftcull_hull_create(corners, 8, 0, NULL, 1, 0, &hull), "directions is NULL");
+  REFUSED(shaftcull_hull_create(corners, 8, 0, nan_vector, 1, 0, &hull), "direction");
+  REFUSED(shaftcull_hull_create(corners, 8, 0, NULL, 0, 0, NULL), "hull is NULL");
+  REFUSED(shaftcull_hull_create(corners, 8, 0, NULL, 0, 2, &hull), "test = 2");
+  REFUSED(shaftcull_hull_create(corners, 8, 8, NULL, 0, 0, &hull), "first_end = 8");
+  REFUSED(shaftcull_hull_create(corners, 8, 4, down, 1, 0, &hull), "direction_count");
   REFUSED(shaftcull_hull_of_frustum(matrix, 2, 0, &hull), "depth = 2");
   REFUSED(shaftcull_hull_of_frustum(matrix, 0, 2, &hull), "test = 2");
   REFUSED(shaftcull_hull_of_frustum(NULL, 0, 0, &hull), "matrix is NULL");
@@ -173,7 +175,7 @@ static shaftcull_shafts* three_shafts(void) {
   set_between(shafts, 0, &lamp, &table);
   OK(shaftcull_shafts_set_swept_infinite(shafts, 1, 1, &body, down, &floor_plane, 1));
   shaftcull_hull* hull = NULL;
-  OK(shaftcull_hull_create(corners, 8, NULL, 0, SHAFTCULL_HULL_EXACT, &hull));
+  OK(shaftcull_hull_create(corners, 8, 0, NULL, 0, SHAFTCULL_HULL_EXACT, &hull));
   OK(shaftcull_shafts_set_hull(shafts, 2, hull));
   shaftcull_hull_free(hull); /* the array keeps what it needs */
   return shafts;
@@ -757,6 +759,23 @@ static void one_shaft(void) {
   REFUSED(shaftcull_classify_one(shafts, 0, 0, &wall, 0, &answer), "kind = 0");
   REFUSED(shaftcull_classify_one(shafts, 3, SHAFTCULL_BOXES, &wall, 0, &answer), "shaft = 3");
   REFUSED(shaftcull_occluded_by_box(shafts, 1, &wall, &yes), "between two boxes");
+  REFUSED(shaftcull_occluded_by_box(shafts, 2, &wall, &yes), "between_polygons");
+  {
+    const float ends[] = {0, 0, 0, 0, 1, 0, 0, 1, 1, 9, 0, 0, 9, 1, 0, 9, 1, 1};
+    const shaftcull_box across = {{4, -9, -9}, {5, 9, 9}};
+    const float leaning[] = {4, -9, -9, 5, 9, -9, 5, 9, 9, 4, -9, 9};
+    shaftcull_shafts* one = NULL;
+    shaftcull_hull* between = NULL;
+    OK(shaftcull_shafts_create(1, &one));
+    OK(shaftcull_hull_create(ends, 6, 3, NULL, 0, SHAFTCULL_HULL_EXACT, &between));
+    OK(shaftcull_shafts_set_hull(one, 0, between));
+    shaftcull_hull_free(between);
+    OK(shaftcull_occluded_by_box(one, 0, &across, &yes));
+    CHECK(yes == 1);
+    OK(shaftcull_occluded_by_polygon(one, 0, leaning, 4, &yes));
+    CHECK(yes == 1);
+    shaftcull_shafts_free(one);
+  }
   REFUSED(shaftcull_occluded_by_box(shafts, 0, NULL, &yes), "solid is NULL");
   REFUSED(shaftcull_occluded_by_polygon(shafts, 0, sheet, 2, &yes), "2");
   REFUSED(shaftcull_occluded_by_polygon(shafts, 0, NULL, 4, &yes), "corners is NULL");

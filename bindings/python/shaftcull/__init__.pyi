@@ -203,11 +203,20 @@ class ConvexHull:
         view by its planes. It is quicker, and keeps some boxes beside edges and corners. Casters take that of
         their view.
 
-    Boxes and triangles are answered exactly, spheres to the safe side. Queries for times and for occluders refuse
-    a hull. Contact is closed; Shafts.concatenate([hull]).with_contact('open') leaves out bounds that only touch
-    the hull.
+    Boxes and triangles are answered exactly, spheres to the safe side. Queries for times refuse a hull, and
+    queries for occluders one that is not made by between_polygons(). Contact is closed;
+    Shafts.concatenate([hull]).with_contact('open') leaves out bounds that only touch the hull.
     """
     def __init__(self, points: _Floats, directions: _Floats | None = None, test: _HullTest = "exact") -> None: ...
+    @staticmethod
+    def between_polygons(p: _Floats, q: _Floats, test: _HullTest = "exact") -> ConvexHull:
+        """The ConvexHull of two ends: polygons, turned boxes or others, each the convex hull of its corners. Queries
+        about occluders take it: what hides one end from the other.
+
+        p, q: float32 (n, 3), corners in any order, 1 or more each and 32 together. test: as that of ConvexHull.
+
+        TypeError or ValueError for others.
+        """
     @staticmethod
     def frustum(matrix: _Floats, depth: _Depth = "zero_to_one", test: _HullTest = "exact") -> ConvexHull:
         """The volume that a view-projection matrix shows: a ConvexHull.

@@ -106,6 +106,21 @@ def test_hulls_go_where_shafts_go():
     np.testing.assert_array_equal(hull.points, corners)
 
 
+def test_hulls_between_two_ends_are_asked_what_blocks_them():
+    p = np.array([[0, 0, 0], [0, 2, 0], [0, 2, 2]], np.float32)
+    q = p + np.array([9, 0, 0], np.float32)
+    hull = sc.ConvexHull.between_polygons(p, q)
+    np.testing.assert_array_equal(hull.points, np.vstack([p, q]))
+    walls = sc.BoxTree(np.array([[4, -9, -9, 5, 9, 9], [4, 1, 1, 5, 9, 9], [40, -9, -9, 41, 9, 9]], np.float32))
+    assert walls.occluded(hull) and walls.list_occluders(hull).tolist() == [0] and walls.find_occluder(hull) == 0
+    leaning = np.array([[4, -9, -9], [5, 9, -9], [5, 9, 9], [4, -9, 9]], np.float32)
+    assert sc.Shafts.concatenate([hull]).occluded_by_polygon(leaning).tolist() == [True]
+    with pytest.raises(ValueError, match="between_polygons"):
+        walls.occluded(sc.ConvexHull(p))
+    with pytest.raises(ValueError, match="q has no corner"):
+        sc.ConvexHull.between_polygons(p, np.zeros((0, 3), np.float32))
+
+
 def test_shafts_keep_the_hulls_that_they_were_made_of():
     tree = sc.BoxTree(some_boxes(15, 200))
     wanted = tree.cull(sc.ConvexHull(CUBE))

@@ -132,6 +132,11 @@ export interface Shaftcull {
   /** The convex hull of points, and of what lies from them along directions; at most 32 of both, 3 floats each. */
   hull(points: Floats, directions?: Floats, options?: {test?: HullTest}): Hull;
   /**
+   * The convex hull of two ends: polygons, turned boxes or others, each the convex hull of its corners, 3 floats each.
+   * Questions about occluders take it: what hides one end from the other.
+   */
+  betweenPolygons(p: Floats, q: Floats, options?: {test?: HullTest}): Hull;
+  /**
    * What a view-projection matrix shows: 16 floats in the order of WebGL and three.js, column after column. Without a
    * far plane it has no end.
    */
@@ -372,13 +377,13 @@ export interface SphereBounds extends Bounds {
 /** Boxes can be asked as solids, too. */
 export interface BoxBounds extends SphereBounds {
   /** Whether one of the solids alone hides one end of the shaft from the other. For shafts between two boxes. */
-  occluded(shaft: Shafts, options?: Omit<AskOptions, 'limit' | 'only'>): boolean;
+  occluded(shaft: Volume, options?: Omit<AskOptions, 'limit' | 'only'>): boolean;
   /** Bit s % 32 of word s / 32 says it of shaft s. */
   occludedMany(shafts: Shafts, options?: Omit<AskManyOptions, 'limit' | 'only'>): Uint32Array;
   /** One such solid: in a stream the one of lowest index, in a tree the first in its order. */
-  findOccluder(shaft: Shafts, options?: Omit<AskOptions, 'limit' | 'only'>): number | undefined;
+  findOccluder(shaft: Volume, options?: Omit<AskOptions, 'limit' | 'only'>): number | undefined;
   /** All such solids; with `limit` the first of them. */
-  listOccluders(shaft: Shafts, options?: Omit<AskOptions, 'only'>): Uint32Array;
+  listOccluders(shaft: Volume, options?: Omit<AskOptions, 'only'>): Uint32Array;
   listOccludersMany(shafts: Shafts, options?: Omit<AskManyOptions, 'only'>): Lists;
 }
 

@@ -305,7 +305,15 @@ function hullTest(options) {
 export function hull(module, points, directions = [], options = {}) {
   const [from, along] = [asFloats(points, 3, 'points'), asFloats(directions, 3, 'directions')];
   return module.scratch((scratch) => new Hull(module, made(module, 'shaftcull_hull_create', scratch.copy(from),
-      BigInt(from.length / 3), scratch.copy(along), BigInt(along.length / 3), hullTest(options))));
+      BigInt(from.length / 3), 0n, scratch.copy(along), BigInt(along.length / 3), hullTest(options))));
+}
+
+export function betweenPolygons(module, p, q, options = {}) {
+  const [first, second] = [asFloats(p, 3, 'p'), asFloats(q, 3, 'q')];
+  if (first.length === 0) throw new RangeError('p has no corner');
+  const both = Float32Array.of(...first, ...second);
+  return module.scratch((scratch) => new Hull(module, made(module, 'shaftcull_hull_create', scratch.copy(both),
+      BigInt(both.length / 3), BigInt(first.length / 3), scratch.copy([]), 0n, hullTest(options))));
 }
 
 export function frustum(module, matrix, depth, options = {}) {
