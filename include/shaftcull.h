@@ -184,7 +184,7 @@ enum {
   SHAFTCULL_FORM_PLANES = 1 /* the paper's planes with near corners */
 };
 
-/// How triangles are tested (triangles.hpp). Convex hulls take the test by vertices only.
+/// How triangles are tested (triangles.hpp).
 typedef uint32_t shaftcull_triangle_test;
 enum {
   SHAFTCULL_TRIANGLES_EXACT = 0,      /* the triangle itself */
@@ -245,12 +245,15 @@ SHAFTCULL_API shaftcull_status shaftcull_inscribed_box(const float* corners, uin
 typedef struct shaftcull_hull shaftcull_hull;
 
 /// The hull of `point_count` points, 3 floats each, extended without end along `direction_count` directions, which may
-/// be none. For a frustum, pass its eight corners; for two polygons or turned boxes, the corners of both. Refuses a
-/// hull without points, more than 32 points and directions, values that are not finite, a direction of 0, and a test
-/// that is none. O(n²): about 1.4 µs for 8 points, 10 µs for 32. Allocates about 15 KB. Freed by shaftcull_hull_free().
-SHAFTCULL_API shaftcull_status shaftcull_hull_create(const float* points, uint64_t point_count, const float* directions,
-                                                     uint64_t direction_count, shaftcull_hull_test test,
-                                                     shaftcull_hull** hull);
+/// be none. For a frustum, pass its eight corners; for two polygons or turned boxes, the corners of both. Then
+/// `first_end` of the points are those of the first, and queries about occluders take the hull: what hides one of the
+/// two from the other. It is 0 for a hull of one set of points, and for one with directions. Refuses a hull without
+/// points, an end without points, more than 32 points and directions, values that are not finite, a direction of 0, and
+/// a test that is none. O(n²): about 1.4 µs for 8 points, 10 µs for 32. Allocates about 15 KB. Freed by
+/// shaftcull_hull_free().
+SHAFTCULL_API shaftcull_status shaftcull_hull_create(const float* points, uint64_t point_count, uint64_t first_end,
+                                                     const float* directions, uint64_t direction_count,
+                                                     shaftcull_hull_test test, shaftcull_hull** hull);
 
 /// The view of a view-projection matrix, as for shaftcull_view_planes(). Without a far plane the hull has no end.
 /// Refuses a matrix that is not finite or not invertible, one with a corner that is not in front of the eye, and a
@@ -547,8 +550,8 @@ SHAFTCULL_API shaftcull_status shaftcull_shafts_set_hull(shaftcull_shafts* shaft
 /// inside, in the form of planes, or about some spheres. No allocation.
 SHAFTCULL_API shaftcull_status shaftcull_shafts_complete(shaftcull_shafts* shafts, uint64_t first, uint64_t count);
 
-/// Chooses whether shafts keep bounds that only touch them. Refuses hulls and shafts that were never formed, by their
-/// position. About 10 ns per shaft; no allocation.
+/// Chooses whether shafts keep bounds that only touch them. Refuses shafts that were never formed, by their position.
+/// About 10 ns per shaft; no allocation.
 SHAFTCULL_API shaftcull_status shaftcull_shafts_set_contact(shaftcull_shafts* shafts, uint64_t first, uint64_t count,
                                                             shaftcull_contact contact);
 

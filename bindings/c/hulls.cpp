@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -25,12 +26,28 @@ const float* floats_of(std::span<const Vec3> vectors) noexcept {
 
 extern "C" {
 
-shaftcull_status shaftcull_hull_create(const float* points, uint64_t point_count, const float* directions,
-                                       uint64_t direction_count, shaftcull_hull_test test, shaftcull_hull** hull) {
+shaftcull_status shaftcull_hull_create(const float* points, uint64_t point_count, uint64_t first_end,
+                                       const float* directions, uint64_t direction_count, shaftcull_hull_test test,
+                                       shaftcull_hull** hull) {
   return guarded([&] {
     shaftcull_hull*& out = given(hull, "hull");
     const std::vector<Vec3> all_points = as_vectors(points, point_count, "points");
-    out = new_hull(ConvexHull(all_points, as_vectors(directions, direction_count, "directions"), as_hull_test(test)));
+    const std::vector<Vec3> all_directions = as_vectors(directions, direction_count, "directions");
+    if (first_end == 0) {
+      out = new_hull(ConvexHull(all_points, all_directions, as_hull_test(test)));
+      return;
+    }
+    if (first_end >= point_count) {
+      refuse("first_end = " + std::to_string(first_end) + " leaves no point of " + std::to_string(point_count) +
+             " to the second end");
+    }
+    if (direction_count != 0) {
+      refuse("direction_count = " + std::to_string(direction_count) +
+             ", and first_end is not 0; a hull between two ends has no directions");
+    }
+    const std::span<const Vec3> both(all_points);
+    const auto first = static_cast<std::size_t>(first_end);
+    out = new_hull(shaftcull::between_polygons(both.first(first), both.subspan(first), as_hull_test(test)));
   });
 }
 

@@ -105,7 +105,42 @@ Answer ConvexHull::answer(const Box& box) const {
   return inside ? Answer::inside : Answer::overlap;
 }
 
-bool ConvexHull::is_beyond(const Sphere& sphere, double slack) const {
+bool ConvexHull::misses(const Triangle& triangle) const {
+  const Vector corner[3] = {vector(triangle.vertex[0]), vector(triangle.vertex[1]), vector(triangle.vertex[2])};
+  const auto least_of = [&](const Vector& normal) {
+    return std::min({dot(normal, corner[0]), dot(normal, corner[1]), dot(normal, corner[2])});
+  };
+  for (const Plane& plane : planes_) {
+    if (least_of(plane.normal) > plane.offset) return true;
+  }
+  const auto parts = [&](const Vector& normal) {
+    if (normal == Vector{}) return false;
+    for (const int sign : {1, -1}) {
+      const Vector outward{sign * normal[0], sign * normal[1], sign * normal[2]};
+      const bool is_bounded =
+          std::all_of(directions_.begin(), directions_.end(), [&](const Vector& d) { return dot(outward, d) <= 0; });
+      if (!is_bounded) continue;
+      const mpq_class least = least_of(outward);
+      const auto is_below = [&](const Vector& p) { return dot(outward, p) < least; };
+      if (std::all_of(points_.begin(), points_.end(), is_below)) return true;
+    }
+    return false;
+  };
+  std::vector<Vector> along = directions_;
+  for (std::size_t axis = 0; axis != 3; ++axis) along.push_back(unit(axis));
+  for (std::size_t i = 0; i != points_.size(); ++i) {
+    for (std::size_t j = i + 1; j != points_.size(); ++j) along.push_back(minus(points_[j], points_[i]));
+  }
+  for (std::size_t e = 0; e != 3; ++e) {
+    const Vector edge = minus(corner[(e + 1) % 3], corner[e]);
+    for (const Vector& other : along) {
+      if (parts(cross(edge, other))) return true;
+    }
+  }
+  return parts(cross(minus(corner[1], corner[0]), minus(corner[2], corner[0])));
+}
+
+bool ConvexHull::is_beyond(const Sphere& sphere, double slack, Contact contact) const {
   const Vector centre = vector(sphere.centre);
   return std::any_of(planes_.begin(), planes_.end(), [&](const Plane& plane) {
     if (!plane.is_spanned) return false;
@@ -113,7 +148,8 @@ bool ConvexHull::is_beyond(const Sphere& sphere, double slack) const {
     for (std::size_t k = 0; k != 3; ++k) terms += abs(plane.normal[k]) * (abs(centre[k]) + largest_[k]);
     const mpq_class value = dot(plane.normal, centre) - plane.offset - slack * terms;
     const mpq_class radius = mpq_class(sphere.radius) * (1 + slack);
-    return sgn(value) > 0 && value * value > radius * radius * dot(plane.normal, plane.normal);
+    const mpq_class reach = radius * radius * dot(plane.normal, plane.normal);
+    return sgn(value) > 0 && (value * value > reach || (contact == Contact::open && value * value == reach));
   });
 }
 
@@ -142,10 +178,21 @@ double ConvexHull::distance_to_surface(const Vec3& centre) const {
   return std::isfinite(most) ? std::fabs(most) : 0;
 }
 
-Answer ConvexHull::corrected(const Sphere& sphere, Answer answer) const {
+bool ConvexHull::touches_box(const Sphere& sphere) const {
+  const Vector centre = vector(sphere.centre);
+  const mpq_class radius(sphere.radius);
+  return std::any_of(planes_.begin(), planes_.end(), [&](const Plane& plane) {
+    const auto zeros = std::count_if(plane.normal.begin(), plane.normal.end(), [](const auto& n) { return n == 0; });
+    return zeros == 2 && dot(plane.normal, centre) - plane.offset ==
+                             radius * (abs(plane.normal[0]) + abs(plane.normal[1]) + abs(plane.normal[2]));
+  });
+}
+
+Answer ConvexHull::corrected(const Sphere& sphere, Answer answer, Contact contact) const {
   constexpr double rounding = 0x1p-24;
-  if (answer == Answer::outside) return is_beyond(sphere) ? Answer::outside : Answer::overlap;
+  if (answer == Answer::outside) return is_beyond(sphere, 0, contact) ? Answer::outside : Answer::overlap;
   if (is_beyond(sphere, rounding)) return Answer::outside;
+  if (contact == Contact::open && touches_box(sphere)) return Answer::outside;
   if (answer == Answer::inside) return is_within(sphere) ? Answer::inside : Answer::overlap;
   return is_within(sphere, rounding) ? Answer::inside : Answer::overlap;
 }

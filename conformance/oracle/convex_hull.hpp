@@ -4,7 +4,8 @@
 /// Two convex polyhedra, of which one is bounded, have no point in common iff a plane separates them that is parallel
 /// to a face of one of them, or to an edge of each. The other one being a box, that is a plane through three vertices
 /// of the hull, through two of them and parallel to an axis, or perpendicular to an axis. All of them are tried, those
-/// that are no faces and edges of the hull, too.
+/// that are no faces and edges of the hull, too. With a triangle, planes parallel to it, or to an edge of it and any
+/// two vertices of the hull or an axis, are tried as well.
 #pragma once
 
 #include <gmpxx.h>
@@ -15,7 +16,9 @@
 #include <vector>
 
 #include "shaftcull/bounds.hpp"
+#include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
+#include "shaftcull/triangles.hpp"
 
 namespace shaftcull {
 
@@ -38,9 +41,13 @@ class ConvexHull {
   /// Infinite extents are unbounded boxes; a box with lo > hi meets nothing.
   [[nodiscard]] Answer answer(const Box& box) const;
 
+  /// Whether a triangle, of finite vertices, has no point in common with the hull.
+  [[nodiscard]] bool misses(const Triangle& triangle) const;
+
   /// Whether the sphere, with a finite centre and radius, is beyond one of the planes that are spanned by more than its
-  /// radius times 1 + `slack`, and `slack` of its coordinates and the largest of the hull's.
-  [[nodiscard]] bool is_beyond(const Sphere& sphere, double slack = 0) const;
+  /// radius times 1 + `slack`, and `slack` of its coordinates and the largest of the hull's; with open contact, by as
+  /// much.
+  [[nodiscard]] bool is_beyond(const Sphere& sphere, double slack = 0, Contact contact = Contact::closed) const;
   /// Whether it is behind all of them by its radius, likewise.
   [[nodiscard]] bool is_within(const Sphere& sphere, double slack = 0) const;
 
@@ -50,7 +57,8 @@ class ConvexHull {
 
   /// An answer about a sphere if it may be given, else what it should have been. Outside must be beyond a plane, inside
   /// behind all of them. What of this holds by more than rounding must be seen.
-  [[nodiscard]] Answer corrected(const Sphere& sphere, Answer answer) const;
+  /// With open contact, the sphere has a radius, and one that touches a face of the hull's box is outside.
+  [[nodiscard]] Answer corrected(const Sphere& sphere, Answer answer, Contact contact = Contact::closed) const;
 
  private:
   using Vector = std::array<mpq_class, 3>;
@@ -64,6 +72,9 @@ class ConvexHull {
   /// Adds the planes with this normal that touch the hull from either side. `through` is a point of what spans them, or
   /// null for faces of the hull's box.
   void add_planes(const Vector& normal, const Vector* through);
+
+  /// Whether a sphere touches a face of the box around the hull from outside.
+  [[nodiscard]] bool touches_box(const Sphere& sphere) const;
 
   std::vector<Vector> points_;
   Vector largest_;  ///< magnitude of a coordinate of theirs

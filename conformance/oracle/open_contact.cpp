@@ -66,13 +66,13 @@ bool can_be_separated(const std::vector<Vector>& vectors) {
   return false;
 }
 
-/// Adds the eight corners of a box as vectors, those that are not zero.
+/// Adds the corners of a box as vectors, those that are not zero, each once.
 void add_corners(const std::array<std::array<mpq_class, 3>, 2>& box, std::vector<Vector>& vectors) {
   for (unsigned corner = 0; corner != 8; ++corner) {
     std::array<mpq_class, 3> point;
     for (std::size_t k = 0; k != 3; ++k) point[k] = box[corner >> k & 1U][k];
     const Vector v = whole(point);
-    if (!is_zero(v)) vectors.push_back(v);
+    if (!is_zero(v) && std::find(vectors.begin(), vectors.end(), v) == vectors.end()) vectors.push_back(v);
   }
 }
 
@@ -125,6 +125,12 @@ OpenHull::OpenHull(const MovingInput& input) : moving_(std::in_place, input) {
     boxes_.push_back(end);
   }
   add_planes(input.added);
+}
+
+OpenHull::OpenHull(const HullInput& input) : still_(std::in_place, input) {
+  const auto corners_at = [](const Vec3& v) { return corners(Box{v, v}); };
+  for (const Vec3& point : input.points) boxes_.push_back(corners_at(point));
+  for (const Vec3& direction : input.directions) ways_.push_back(corners_at(direction));
 }
 
 void OpenHull::add_planes(const std::vector<Plane>& added) {
@@ -183,7 +189,7 @@ Answer OpenHull::answer(const Box& box) const {
     mpq_class height;
     if (least_height(plane, box, height) && height >= 0) return Answer::outside;
   }
-  const Answer closed = between_ ? between_->answer(box) : moving_->answer(box);
+  const Answer closed = between_ ? between_->answer(box) : moving_ ? moving_->answer(box) : still_->answer(box);
   return closed == Answer::inside ? Answer::inside : Answer::overlap;
 }
 
@@ -208,6 +214,11 @@ Answer OpenHull::answer(const Sphere& sphere) const {
   }
   const Answer closed = between_ ? between_->answer(sphere) : moving_->answer(sphere);
   return closed == Answer::inside ? Answer::inside : Answer::overlap;
+}
+
+Answer OpenConvexHull::corrected(const Sphere& sphere, Answer answer) const {
+  if (sphere.radius == 0) return open_.answer(Box{sphere.centre, sphere.centre});
+  return closed_.corrected(sphere, answer, Contact::open);
 }
 
 }  // namespace shaftcull::oracle

@@ -15,6 +15,7 @@
 #include <optional>
 #include <vector>
 
+#include "oracle/convex_hull.hpp"
 #include "oracle/hull.hpp"
 #include "oracle/moving_hull.hpp"
 #include "oracle/shaft_input.hpp"
@@ -29,11 +30,12 @@ class OpenHull {
  public:
   explicit OpenHull(const ShaftInput& input);
   explicit OpenHull(const MovingInput& input);
+  explicit OpenHull(const HullInput& input);
 
-  /// Infinite extents, which shafts between two boxes may be asked about, are unbounded boxes; a box with lo > hi meets
-  /// nothing.
+  /// Infinite extents, which shafts between two boxes and convex hulls may be asked about, are unbounded boxes; a box
+  /// with lo > hi meets nothing.
   [[nodiscard]] Answer answer(const Box& box) const;
-  /// The centre is finite, and so is the radius but for shafts between two boxes.
+  /// The centre is finite, and so is the radius but for shafts between two boxes. Not for a convex hull.
   [[nodiscard]] Answer answer(const Sphere& sphere) const;
   /// Whether the triangle, of finite vertices, is outside; added planes are left out.
   [[nodiscard]] bool is_separated(const Triangle& triangle) const;
@@ -51,6 +53,22 @@ class OpenHull {
   std::vector<RationalPlane> added_;
   std::optional<Hull> between_;       ///< the same with closed contact, if it is between two boxes
   std::optional<MovingHull> moving_;  ///< likewise, if it is of a moving box
+  std::optional<ConvexHull> still_;   ///< likewise, if it is a convex hull
+};
+
+/// A convex hull with open contact.
+class OpenConvexHull {
+ public:
+  explicit OpenConvexHull(const HullInput& input) : open_(input), closed_(input) {}
+
+  [[nodiscard]] Answer answer(const Box& box) const { return open_.answer(box); }
+  [[nodiscard]] bool misses(const Triangle& triangle) const { return open_.is_separated(triangle); }
+  /// As ConvexHull::corrected(). A sphere without a radius is a box, and has one answer.
+  [[nodiscard]] Answer corrected(const Sphere& sphere, Answer answer) const;
+
+ private:
+  OpenHull open_;
+  ConvexHull closed_;
 };
 
 }  // namespace shaftcull::oracle

@@ -183,5 +183,12 @@ bool is_outside(const MovingInput& input, const Triangle& triangle, TriangleTest
   return MovingHull(without_planes).answer(box_around(triangle)) == Answer::outside;
 }
 
+bool is_outside(const HullInput& input, const Triangle& triangle, TriangleTest test, Contact contact) {
+  const auto misses = [&](const auto& hull) {
+    return test == TriangleTest::exact ? hull.misses(triangle) : hull.answer(box_around(triangle)) == Answer::outside;
+  };
+  return contact == Contact::open ? misses(OpenConvexHull(input)) : misses(ConvexHull(input));
+}
+
 }  // namespace oracle
 }  // namespace shaftcull

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "oracle/convex_hull.hpp"
 #include "oracle/moving_hull.hpp"
 #include "oracle/shaft_input.hpp"
 #include "shaftcull/bounds.hpp"
@@ -36,6 +37,8 @@ namespace oracle {
 /// What a test says.
 [[nodiscard]] bool is_outside(const ShaftInput& input, const Triangle& triangle, TriangleTest test);
 [[nodiscard]] bool is_outside(const MovingInput& input, const Triangle& triangle, TriangleTest test);
+/// A hull whose test of boxes is exact.
+[[nodiscard]] bool is_outside(const HullInput& input, const Triangle& triangle, TriangleTest test, Contact contact);
 
 }  // namespace oracle
 }  // namespace shaftcull

@@ -63,6 +63,8 @@ void make_volumes() {
   const Vec3 sun{0, 1, 0};
   const std::vector<Plane> planes = {{{1, 0, 0}, 3}};
   const std::vector<Vec3>& points = vertices;
+  const std::vector<Vec3> p = {{0, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const std::vector<Vec3> q = {{9, 0, 0}, {9, 1, 0}, {9, 0, 1}};
   const ConvexHull view = frustum(matrix, depth);
   expect(keeps(compile(a, b), boxes[1]), "between");
   expect(!keeps(compile(a, b, planes), boxes[1]), "cut by a plane");
@@ -73,6 +75,7 @@ void make_volumes() {
   expect(keeps(swept_infinite(body, direction), boxes[1]), "swept without end");
   expect(!keeps(shadow(light, occluder), light), "shadow");
   expect(keeps(casters_towards(view, sun), Box{{0, 99, 9}, {1, 99, 9}}), "casters of a sun");
+  expect(between_polygons(p, q).points().size() == 6, "between polygons");
   expect(ConvexHull(points).points().size() == 3, "hull");
   make_more(view);
 }

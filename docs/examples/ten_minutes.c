@@ -95,7 +95,7 @@ int main(void) {
   must(shaftcull_shafts_set_swept_infinite(kinds, 1, 1, &to, towards_sun, NULL, 0));
   must(shaftcull_shafts_set_shadow(kinds, 2, 1, &from, &first, NULL, NULL, NULL));
   shaftcull_hull* hull = NULL;
-  must(shaftcull_hull_create(corners, 4, NULL, 0, SHAFTCULL_HULL_EXACT, &hull));
+  must(shaftcull_hull_create(corners, 4, 0, NULL, 0, SHAFTCULL_HULL_EXACT, &hull));
   must(shaftcull_shafts_set_hull(kinds, 3, hull));
   shaftcull_hull_free(hull); /* the array keeps what it needs */
   uint64_t counts[4] = {0};

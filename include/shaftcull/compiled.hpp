@@ -152,8 +152,9 @@ SHAFTCULL_EXPORT void compile_batch(const BoxView& a, const BoxView& b, std::spa
 /// allocation. The call writes to the shaft, so no other thread may use the shaft meanwhile.
 SHAFTCULL_EXPORT void complete(CompiledShaft& shaft) noexcept;
 
-/// Chooses whether a shaft between two boxes, or of a moving box (volumes.hpp), keeps bounds that only touch it. All
-/// queries follow the choice, in both forms, for views and for trees. Answers are exact.
+/// Chooses whether a shaft of any kind keeps bounds that only touch it. All queries follow the choice, in both forms,
+/// for views and for trees. Answers are exact. hull.hpp says which spheres a convex hull keeps: of a ConvexHull, set
+/// the contact of a copy of its compiled().
 ///
 /// With Contact::open
 /// * a box is outside iff its relative interior has no point in common with that of the shaft. In other words: iff some
@@ -166,8 +167,8 @@ SHAFTCULL_EXPORT void complete(CompiledShaft& shaft) noexcept;
 /// occluded() is the same for both: it is about the relative interiors of the ends.
 ///
 /// Some 10 ns a shaft; may be done at any time, and again. Throws InvalidArgument, and writes nothing, for a shaft that
-/// was never formed and for a convex hull (hull.hpp), which has closed contact only, by its position; and if `contact`
-/// is none of Contact. No allocation. It writes to the shaft, so no other thread may use that shaft meanwhile.
+/// was never formed, by its position; and if `contact` is none of Contact. No allocation. It writes to the shaft, so no
+/// other thread may use that shaft meanwhile.
 SHAFTCULL_EXPORT void set_contact(CompiledShaft& shaft, Contact contact);
 /// The same for all of `shafts`.
 SHAFTCULL_EXPORT void set_contact(std::span<CompiledShaft> shafts, Contact contact);

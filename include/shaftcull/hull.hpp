@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// Convex hulls in place of shafts: view frusta, shadow casters of a view, volumes between polygons.
 ///
-/// A hull goes where a compiled shaft goes, alone or among shafts, for views, streams and trees. set_contact(), calls
-/// for times (first_contact.hpp), calls for occluders (occluded.hpp), and the exact test of triangles throw
-/// InvalidArgument for a hull. The exact test is the default: pass TriangleTest::vertices.
+/// A hull goes where a compiled shaft goes, alone or among shafts, for views, streams and trees. Calls for times
+/// (first_contact.hpp) throw InvalidArgument for a hull, and calls for occluders (occluded.hpp) for one that is not of
+/// between_polygons().
 ///
 /// A *box* is outside a hull iff the two have no point in common, and inside iff all of it lies in the hull. Both are
 /// exact for the floats given, wherever the points lie. The usual test of a frustum by its six planes keeps large boxes
@@ -15,7 +15,24 @@
 /// errs to the safe side, by about 2⁻²⁸ of the largest coordinate: no sphere that meets the hull is outside, none that
 /// leaves it is inside. All machines give the same answers.
 ///
-/// Contact is always closed: bounds that touch a hull are not outside.
+/// *Planes* are not added to hulls. Those of two polygons that face each other cut nothing off the hull between them:
+/// all of it is in front of both. Where planes do matter, ask a shaft that has them as well, and keep bounds that both
+/// keep: `compile(hull.box(), hull.box(), planes)` keeps what meets the box around the hull and is beyond no plane.
+/// That is the answer that added planes would have, exactly, and costs less than a second test of the hull.
+///
+/// Contact is closed: bounds that touch a hull are not outside. A copy of the shaft can have open contact, as in
+/// `CompiledShaft shaft = hull; set_contact(shaft, Contact::open);`. Then
+/// * a box is outside iff its relative interior has no point in common with that of the hull, exactly. The relative
+///   interior of a flat hull is the hull without its rim; of a segment, the segment without its ends; of a point, the
+///   point. With HullTest::conservative a box is outside iff it is beyond one of the faces that the test looks at, or
+///   touches it from outside;
+/// * a sphere with a radius is outside also if it touches a face of the box around the hull from outside. One that
+///   touches another plane may be kept. One of radius 0 is answered as the box that is this point, exactly;
+/// * bounds that are not outside are inside as with closed contact.
+///
+/// *Triangles* are tested as triangles.hpp says, exactly with either contact. Of hulls with an interior, floats decide
+/// about nearly all; of flat hulls, exact arithmetic decides about triangles whose box meets the hull's, in
+/// microseconds each.
 ///
 /// keeps() and classify() of one bound take about 10 to 20 ns for a view (Zen 4), and as long for a hull with
 /// directions.
@@ -87,6 +104,11 @@ class SHAFTCULL_EXPORT ConvexHull {
   friend SHAFTCULL_EXPORT ConvexHull casters_towards(const ConvexHull& view, const Vec3& towards_sun);
 
   ConvexHull(const ConvexHull& view, const Vec3& light, bool is_direction);
+  friend ConvexHull between_polygons(std::span<const Vec3> p, std::span<const Vec3> q, HullTest test);
+
+  /// `first_end` of the points are one of two ends, the others the second; 0 if there are no two.
+  ConvexHull(std::span<const Vec3> points, std::span<const Vec3> directions, HullTest test, std::size_t first_end);
+  void refer() noexcept;
 
   struct Parts;
   std::unique_ptr<Parts> parts_;
@@ -95,6 +117,16 @@ class SHAFTCULL_EXPORT ConvexHull {
 
 // Each function below forms a ConvexHull, with its time, allocation and std::bad_alloc, and is safe to call from many
 // threads. Form a view once per frame, not once per query.
+
+/// Returns the hull of two ends: polygons, turned boxes or others, each the convex hull of its corners, in any order.
+/// It is the shaft between them, and occluded(), find_occluder() and list_occluders() answer for it: a solid blocks it
+/// if every segment between the relative interiors of the two ends passes through the solid (occluded.hpp). All else is
+/// as for a ConvexHull of the corners of both.
+///
+/// Throws InvalidArgument if an end has no corner, if both together have more than ConvexHull::max_vertices, if a
+/// corner is not finite, or if `test` is not an enumerator.
+[[nodiscard]] SHAFTCULL_EXPORT ConvexHull between_polygons(std::span<const Vec3> p, std::span<const Vec3> q,
+                                                           HullTest test = HullTest::exact);
 
 /// Returns the volume that a view-projection matrix shows: the hull of its eight corners. For a projection without a
 /// far plane it is the hull of the four near corners and the four directions in which the view continues.

@@ -2,7 +2,8 @@
 /// Solid boxes that hide one end of a shaft from the other.
 ///
 /// A box *blocks* a shaft if every segment between the relative interiors of the shaft's boxes a and b passes through
-/// it. The relative interior of a box is the box without its faces; of a flat box, without its edges; of a point, the
+/// it; for a hull of between_polygons() (hull.hpp), between the relative interiors of its two ends. The relative
+/// interior of a box is the box without its faces; of a flat box, without its edges; of a point, the
 /// point. One box that blocks decides a pair of patches without a ray. Boxes that block are *solid*: the caller passes
 /// no others. Walls and the cores of buildings are solid; the box around a triangle, a tree or a table is not.
 ///
@@ -22,9 +23,9 @@
 /// together block every segment are not found. Planes added to a shaft are ignored: a box that blocks all segments also
 /// blocks those that the planes leave. Only the shaft's two boxes are read, so contact does not matter.
 ///
-/// Solids are boxes; spheres, triangles and Query::only are refused. A shaft that is not between two boxes
-/// (volumes.hpp) is refused with InvalidArgument, by its position. Options, other errors, threads, stack and
-/// std::bad_alloc: query.hpp and many.hpp.
+/// Solids are boxes; spheres, triangles and Query::only are refused. A shaft of a moving box (volumes.hpp) and a hull
+/// that is not of between_polygons() are refused with InvalidArgument, by their position. Options, other errors,
+/// threads, stack and std::bad_alloc: query.hpp and many.hpp.
 #pragma once
 
 #include <cstddef>

@@ -15,7 +15,8 @@
 ///   added planes, or all three vertices are beyond one added plane. Touching is not outside.
 ///
 /// Triangles may be degenerate: segments and points, with vertices repeated or collinear. Shafts may be flat, and of
-/// all kinds that boxes are tested with (volumes.hpp). A convex hull (hull.hpp) answers by vertices only.
+/// all kinds that boxes are tested with (volumes.hpp), and convex hulls (hull.hpp). By `vertices`, a hull with
+/// HullTest::conservative tests boxes around triangles as it tests boxes; `exact` is exact for it, too.
 ///
 /// With open contact (set_contact() in compiled.hpp), a triangle that only touches the shaft is outside. By `vertices`,
 /// it is outside if the box around it is outside; by `exact`, if the relative interiors of shaft and triangle have no

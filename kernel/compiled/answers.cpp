@@ -15,22 +15,15 @@ void refuse_unformed(std::size_t position) {
 }
 
 void refuse_kind(std::size_t position) {
-  kernel::fail(InvalidArgument("shaft " + std::to_string(position) +
-                               " is that of a moving box or a hull, and is asked what " +
-                               "blocks it; only a shaft between two boxes has two ends to hide from each other"));
+  kernel::fail(InvalidArgument("shaft " + std::to_string(position) + " is that of a moving box, and is asked what " +
+                               "blocks it; only a shaft between two boxes or polygons has two ends to hide from each " +
+                               "other"));
 }
 
-void refuse_contact_of_hull(std::size_t position) {
-  kernel::fail(InvalidArgument(
-      "shaft " + std::to_string(position) +
-      " is a convex hull, whose contact is closed; only shafts between boxes and of moving boxes have " +
-      "a choice of contact"));
-}
-
-void refuse_exact_test(std::size_t position) {
+void refuse_hull_without_ends(std::size_t position) {
   kernel::fail(InvalidArgument("shaft " + std::to_string(position) +
-                               " is a convex hull, which triangles are compared with by " +
-                               "their vertices only; ask it with TriangleTest::vertices"));
+                               " is a hull of one set of points, and is asked what blocks it; form it by " +
+                               "between_polygons(), which tells its two ends apart"));
 }
 
 void refuse_hull(std::size_t position) {

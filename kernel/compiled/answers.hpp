@@ -10,6 +10,7 @@ namespace shaftcull::kernel {
 
 [[noreturn]] void refuse_unformed(std::size_t position);
 [[noreturn]] void refuse_kind(std::size_t position);
+[[noreturn]] void refuse_hull_without_ends(std::size_t position);
 
 /// Throws InvalidArgument for a shaft that was never formed. `position` is the shaft's index among many, for the
 /// message.
@@ -18,30 +19,14 @@ inline void require_formed(const ShaftData& shaft, std::size_t position) {
     refuse_unformed(position);
 }
 
-/// Throws InvalidArgument unless the shaft was formed between two boxes: others have no two ends that a box could hide
-/// from each other. `position` as above.
+/// Throws InvalidArgument unless the shaft was formed between two boxes or polygons: others have no two ends that a box
+/// could hide from each other. `position` as above.
 inline void require_two_ends(const ShaftData& shaft, std::size_t position) {
   require_formed(shaft, position);
-  if (shaft.kind != ShaftData::Kind::between) [[unlikely]]
-    refuse_kind(position);
-}
-
-[[noreturn]] void refuse_contact_of_hull(std::size_t position);
-
-/// Throws InvalidArgument for a shaft that was never formed, and for a convex hull, which has closed contact only.
-/// `position` as above.
-inline void require_contact_of_choice(const ShaftData& shaft, std::size_t position) {
-  require_formed(shaft, position);
-  if (shaft.is_hull()) [[unlikely]]
-    refuse_contact_of_hull(position);
-}
-
-[[noreturn]] void refuse_exact_test(std::size_t position);
-
-/// Throws InvalidArgument for a convex hull, which answers triangles by vertices only. `position` as above.
-inline void require_no_hull_for_exact_test(const ShaftData& shaft, std::size_t position) {
-  if (shaft.is_hull()) [[unlikely]]
-    refuse_exact_test(position);
+  if (shaft.kind == ShaftData::Kind::between) [[likely]]
+    return;
+  if (!shaft.is_hull()) refuse_kind(position);
+  if (shaft.hull->middle == nullptr) refuse_hull_without_ends(position);
 }
 
 [[noreturn]] void refuse_hull(std::size_t position);

@@ -7,9 +7,14 @@
 
 namespace shaftcull::kernel {
 
-/// Chooses the contact of a shaft that was formed and is no hull.
+/// Chooses the contact of a shaft that was formed.
 inline void apply_contact(ShaftData& shaft, Contact contact) noexcept {
   shaft.contact = contact;
+  if (shaft.is_hull()) {
+    using enum ShaftData::SlabForm;
+    shaft.slab_form = contact == Contact::open ? open_hull : hull;
+    return;
+  }
   shaft.still_faces = 0;
   if (contact == Contact::closed) return;
   const MovingFaces faces(shaft);

@@ -4,7 +4,11 @@
 
 #include <cstdint>
 
+#include "shaftcull/bounds.hpp"
+
 namespace shaftcull::kernel {
+
+struct ShaftData;
 
 /// A convex hull of points, or of points and directions: conv(points) + cone(directions).
 ///
@@ -40,6 +44,16 @@ struct HullData {
   /// One more than planes fill: planes that boxes are culled by may have groups of their own.
   static constexpr unsigned most_groups = (most_faces + most_edges + PlaneGroup::planes - 1) / PlaneGroup::planes + 1;
 
+  /// An edge of the hull: from a vertex that is a point, to a point or along a direction. Seen from outside, face
+  /// `left` is to its left.
+  struct Crease {
+    std::uint8_t from;
+    std::uint8_t to;
+    std::uint8_t left;
+    std::uint8_t right;
+  };
+  static constexpr unsigned most_creases = 3 * most_vertices - 6;
+
   float box[6];       ///< around the hull, rounded nowhere; ±∞ where directions lead
   float farthest;     ///< no term of a plane overflows for a centre whose coordinates are at most this, nor their sum
   bool is_bounded;    ///< then planes are scaled so that depths are off by less than 1, the margin
@@ -57,6 +71,16 @@ struct HullData {
   /// Planes: first those that boxes are culled by, which are all or fill groups of their own. Groups behind the last
   /// plane are not written.
   PlaneGroup group[most_groups];
+  Crease crease[most_creases + 1];  // and one behind the last that says nothing
+  float facet[most_faces][3];       ///< normals of all faces, outwards, by the numbers that creases have
+  /// Of a hull that was formed between two ends, which may be hidden from each other; null, null, 0 and 0 for others.
+  const ShaftData* middle;     ///< a shaft that holds a segment between the relative interiors of the ends
+  float across[6];             ///< a solid that hides them has a lo at most [k], and a hi at least [k + 3], on axis k
+  const Vec3* corner;          ///< of the first end, then of the second, as they were given
+  std::uint8_t first_corners;  ///< how many are of the first
+  std::uint8_t corners;
+  std::uint8_t creases;
+  std::uint8_t facets;         ///< 0, and no creases, for hulls that were formed by a search, as flat ones are
   std::uint8_t culling_lanes;  ///< of the groups, those that boxes are culled by
   std::uint8_t lanes;          ///< of the groups, those that hold planes
 };

@@ -43,6 +43,7 @@ struct alignas(64) ShaftData {
     endless,     ///< likewise, of a box that moves without end: t is how far the first constraint's face has moved
     exact,  ///< not at all: coordinates so large or slopes so small that floats overflow; the exact predicate decides
     hull,   ///< nor this: all answers are those of `hull`
+    open_hull,  ///< likewise, with open contact
   };
 
   /// What moves: face f of box(t) is at a[f] + t · slope[f], t from 0 to an end. MovingFaces has the slopes, unrounded.
@@ -108,7 +109,8 @@ struct alignas(64) ShaftData {
   static constexpr std::uint8_t planes_pending = 0xff;
 
   // Inlined wherever they are called: a unit of an instruction set must not leave a copy that the linker may keep.
-  SHAFTCULL_ALWAYS_INLINE [[nodiscard]] bool is_hull() const noexcept { return slab_form == SlabForm::hull; }
+  SHAFTCULL_ALWAYS_INLINE [[nodiscard]] bool is_hull() const noexcept { return slab_form >= SlabForm::hull; }
+  SHAFTCULL_ALWAYS_INLINE [[nodiscard]] bool is_open_hull() const noexcept { return slab_form == SlabForm::open_hull; }
   SHAFTCULL_ALWAYS_INLINE [[nodiscard]] bool has_planes() const noexcept { return joining_count != planes_pending; }
   SHAFTCULL_ALWAYS_INLINE [[nodiscard]] bool is_formed() const noexcept { return formed; }
   SHAFTCULL_ALWAYS_INLINE [[nodiscard]] bool is_endless() const noexcept {

@@ -60,6 +60,7 @@ bool box_blocks(const OpenBox& a, const OpenBox& b, const float (&bound)[6]) noe
 }
 
 bool box_blocks(const ShaftData& shaft, const float (&bound)[6]) noexcept {
+  if (shaft.is_hull()) return box_blocks(first_end(*shaft.hull), second_end(*shaft.hull), bound);
   OpenBox a;
   OpenBox b;
   for (unsigned f = 0; f != 6; ++f) {

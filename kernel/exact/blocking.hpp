@@ -2,6 +2,7 @@
 /// Exact answers for single boxes: whether a box blocks segments, where floats cannot tell.
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "compiled/shaft_data.hpp"
@@ -9,9 +10,17 @@
 
 namespace shaftcull::kernel {
 
-/// Whether the box with the corners of `bound` (order of a BoxView's streams) blocks boxes a and b of the shaft, as
-/// shaftcull/occluded.hpp says. It starts again from the floats that the user gave. A box that is empty or has a NaN
-/// blocks nothing; an infinite one is an unbounded box.
+/// The ends of a hull that was formed between two.
+[[nodiscard]] inline std::span<const Vec3> first_end(const HullData& hull) noexcept {
+  return {hull.corner, hull.first_corners};
+}
+[[nodiscard]] inline std::span<const Vec3> second_end(const HullData& hull) noexcept {
+  return {hull.corner + hull.first_corners, std::size_t{hull.corners} - hull.first_corners};
+}
+
+/// Whether the box with the corners of `bound` (order of a BoxView's streams) blocks boxes a and b of the shaft, or the
+/// ends of a hull, as shaftcull/occluded.hpp says. It starts again from the floats that the user gave. A box that is
+/// empty or has a NaN blocks nothing; an infinite one is an unbounded box.
 [[nodiscard]] bool box_blocks(const ShaftData& shaft, const float (&bound)[6]) noexcept;
 
 /// A box with some of its faces left out: the union of the relative interiors of some parts of it. Face f is left out

@@ -5,6 +5,7 @@
 
 #include "compiled/shaft_box.hpp"
 #include "exact/added.hpp"
+#include "exact/convex_hull.hpp"
 #include "exact/edge.hpp"
 #include "exact/open_contact.hpp"
 #include "exact/predicates.hpp"
@@ -147,6 +148,7 @@ bool box_inside(const ShaftData& shaft, const float (&bound)[6]) noexcept {
 }
 
 bool box_strictly_inside(const ShaftData& shaft, const float (&bound)[6]) noexcept {
+  if (shaft.is_hull()) return hull_box_strictly_inside(*shaft.hull, bound);
   for (unsigned k = 0; k < 3; ++k) {
     if (!(bound[k] > shaft_face(shaft, k) && bound[k + 3] < shaft_face(shaft, k + 3))) return false;
   }

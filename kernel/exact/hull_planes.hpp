@@ -17,6 +17,9 @@ inline Step step_between(const HullData& hull, unsigned from, unsigned to, unsig
 /// The plane of the hull through three vertices, the first of them a point.
 SpannedPlane plane_through(const HullData& hull, const std::uint8_t (&vertices)[3]) noexcept;
 
+/// Whether all of the hull lies in one of its planes: it is flat.
+[[nodiscard]] bool plane_holds_hull(const HullData& hull, unsigned number) noexcept;
+
 /// The line through the projections of two vertices, the first of them a point, along an axis; i and j are the other
 /// axes, in this order.
 struct ProjectedLine {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "exact/blocking.hpp"
 #include "exact/expansion.hpp"
 
 namespace shaftcull::kernel {
@@ -158,6 +159,7 @@ bool polygon_blocks_closed(std::span<const Vec3> a, std::span<const Vec3> b, std
 }
 
 bool polygon_blocks(const ShaftData& shaft, std::span<const Vec3> polygon) noexcept {
+  if (shaft.is_hull()) return polygon_blocks(first_end(*shaft.hull), second_end(*shaft.hull), polygon);
   return polygon_blocks(BoxCorners(shaft.a).get(), BoxCorners(shaft.b).get(), polygon);
 }
 

@@ -10,8 +10,8 @@
 
 namespace shaftcull::kernel {
 
-/// Whether the polygon blocks boxes a and b of the shaft, as shaftcull/occluded.hpp says. At least three points, all
-/// finite.
+/// Whether the polygon blocks boxes a and b of the shaft, or the ends of a hull, as shaftcull/occluded.hpp says. At
+/// least three points, all finite.
 [[nodiscard]] bool polygon_blocks(const ShaftData& shaft, std::span<const Vec3> polygon) noexcept;
 
 /// The same for the relative interiors of the convex hulls of two sets of finite points. Each has at least one point.

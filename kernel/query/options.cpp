@@ -20,7 +20,7 @@ namespace {
 
 }  // namespace
 
-void require_answers_of(std::span<const ShaftData> shafts, Question question, BoundKind kind, TriangleTest test) {
+void require_answers_of(std::span<const ShaftData> shafts, Question question) {
   require_memory("shafts", shafts, "shafts");
   for (std::size_t s = 0; s != shafts.size(); ++s) {
     if (question == Question::blocking) {
@@ -28,7 +28,6 @@ void require_answers_of(std::span<const ShaftData> shafts, Question question, Bo
       continue;
     }
     require_formed(shafts[s], s);
-    if (kind == BoundKind::triangles && test == TriangleTest::exact) require_no_hull_for_exact_test(shafts[s], s);
   }
 }
 

@@ -24,8 +24,8 @@ struct Takes {
 inline constexpr Takes takes_candidates{};
 inline constexpr Takes takes_limit{.limit = true};
 
-/// Throws InvalidArgument unless all shafts answer the question for bounds of this kind, by position.
-void require_answers_of(std::span<const ShaftData> shafts, Question question, BoundKind kind, TriangleTest test);
+/// Throws InvalidArgument unless all shafts answer the question, by position.
+void require_answers_of(std::span<const ShaftData> shafts, Question question);
 
 /// Bounds that are left out by index, for one shaft.
 struct ExcludedIndices {

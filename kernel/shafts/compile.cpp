@@ -75,7 +75,7 @@ void set_contact(std::span<CompiledShaft> shafts, Contact contact) {
   kernel::require_contact(contact);
   kernel::require_memory("shafts", shafts, "shafts");
   const std::span<kernel::ShaftData> data = kernel::data_of(shafts);
-  for (std::size_t s = 0; s != data.size(); ++s) kernel::require_contact_of_choice(data[s], s);
+  for (std::size_t s = 0; s != data.size(); ++s) kernel::require_formed(data[s], s);
   const kernel::FloatEnvironment environment;
   for (kernel::ShaftData& shaft : data) kernel::apply_contact(shaft, contact);
 }

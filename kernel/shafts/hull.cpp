@@ -11,6 +11,7 @@
 #include "compiled/hull_data.hpp"
 #include "compiled/shaft_data.hpp"
 #include "shaftcull/error.hpp"
+#include "shaftcull/geometry.hpp"
 #include "shafts/hull_formation.hpp"
 #include "support/arguments.hpp"
 #include "support/fail.hpp"
@@ -27,6 +28,8 @@ struct ConvexHull::Parts {
   std::size_t points;
   std::size_t vertices;
   kernel::SmallHull triangles;  ///< of `data`
+  std::size_t first_end;        ///< how many of the points are of the first of two ends, or 0
+  CompiledShaft middle;         ///< if there are two ends
 };
 
 namespace {
@@ -87,6 +90,43 @@ bool has_point(const HullData& hull, const Vec3& point) noexcept {
   });
 }
 
+/// The largest float that is at most x, and not −∞.
+float rounded_down(double x) noexcept {
+  const auto rounded = static_cast<float>(
+      std::clamp(x, -double{std::numeric_limits<float>::max()}, double{std::numeric_limits<float>::max()}));
+  return double{rounded} > x ? std::nextafter(rounded, -std::numeric_limits<float>::max()) : rounded;
+}
+
+/// A box around the mean of some points, within the box around the points.
+Box around_mean(std::span<const Vec3> points) noexcept {
+  Box box{};
+  for (std::size_t k = 0; k != 3; ++k) {
+    float lo = points[0][k];
+    float hi = lo;
+    double sum = 0;
+    double magnitude = 0;
+    for (const Vec3& point : points) {
+      lo = std::min(lo, point[k]);
+      hi = std::max(hi, point[k]);
+      sum += double{point[k]};
+      magnitude += std::fabs(double{point[k]});
+    }
+    const double error = 0x1p-46 * magnitude;  // of at most 32 sums and a quotient
+    const double mean = sum / static_cast<double>(points.size());
+    box.lo[k] = std::max(lo, rounded_down(mean - error));
+    box.hi[k] = std::min(hi, -rounded_down(-mean - error));
+  }
+  return box;
+}
+
+/// A solid hides one end from the other only if one of the ends is behind each of its faces.
+void write_across(const Box& a, const Box& b, HullData& hull) noexcept {
+  for (std::size_t k = 0; k != 3; ++k) {
+    hull.across[k] = std::max(a.lo[k], b.lo[k]);
+    hull.across[k + 3] = std::min(a.hi[k], b.hi[k]);
+  }
+}
+
 /// A compiled shaft that has all its answers from a hull.
 CompiledShaft referring_to(const HullData& hull) noexcept {
   CompiledShaft compiled;
@@ -107,7 +147,11 @@ CompiledShaft referring_to(const HullData& hull) noexcept {
 
 }  // namespace
 
-ConvexHull::ConvexHull(std::span<const Vec3> points, std::span<const Vec3> directions, HullTest test) {
+ConvexHull::ConvexHull(std::span<const Vec3> points, std::span<const Vec3> directions, HullTest test)
+    : ConvexHull(points, directions, test, 0) {}
+
+ConvexHull::ConvexHull(std::span<const Vec3> points, std::span<const Vec3> directions, HullTest test,
+                       std::size_t first_end) {
   kernel::in_float_environment([&] {
     require_vertices(points, directions);
     if (test > HullTest::conservative) {
@@ -121,8 +165,16 @@ ConvexHull::ConvexHull(std::span<const Vec3> points, std::span<const Vec3> direc
     fill(parts_->data, this->points(), this->directions());
     parts_->data.is_conservative = test == HullTest::conservative;
     kernel::form_hull(parts_->data, parts_->triangles);
+    parts_->first_end = first_end;
+    if (first_end != 0) {
+      const std::span<const Vec3> all = this->points();
+      const std::span<const Vec3> first = all.first(first_end);
+      const std::span<const Vec3> second = all.subspan(first_end);
+      parts_->middle = compile(around_mean(first), around_mean(second));
+      write_across(box_around(first), box_around(second), parts_->data);
+    }
   });
-  compiled_ = referring_to(parts_->data);
+  refer();
 }
 
 /// Of a view and what else its casters' hull needs, which is finite; there is room for it.
@@ -138,6 +190,7 @@ ConvexHull::ConvexHull(const ConvexHull& view, const Vec3& light, bool is_direct
     parts_->points = of_view.points + (is_direction ? 0 : 1);
     parts_->vertices = of_view.vertices + 1;
 
+    parts_->first_end = 0;
     HullData& data = parts_->data;
     data.is_conservative = of_view.data.is_conservative;
     if (of_view.data.points == of_view.data.vertices && !(has_point(of_view.data, light) && !is_direction)) {
@@ -150,14 +203,23 @@ ConvexHull::ConvexHull(const ConvexHull& view, const Vec3& light, bool is_direct
     fill(data, points(), directions());
     kernel::form_hull(data, parts_->triangles);
   });
-  compiled_ = referring_to(parts_->data);
+  refer();
+}
+
+void ConvexHull::refer() noexcept {
+  HullData& data = parts_->data;
+  const bool has_ends = parts_->first_end != 0;
+  data.middle = has_ends ? &kernel::data_of(parts_->middle) : nullptr;
+  data.corner = has_ends ? parts_->vertex.data() : nullptr;
+  data.first_corners = static_cast<std::uint8_t>(parts_->first_end);
+  data.corners = static_cast<std::uint8_t>(has_ends ? parts_->points : 0);
+  parts_->triangles.refer_to(data);
+  compiled_ = referring_to(data);
 }
 
 ConvexHull::ConvexHull(const ConvexHull& other)
     : parts_(other.parts_ ? std::make_unique<Parts>(*other.parts_) : nullptr) {
-  if (!parts_) return;
-  parts_->triangles.refer_to(parts_->data);
-  compiled_ = referring_to(parts_->data);
+  if (parts_) refer();
 }
 
 ConvexHull& ConvexHull::operator=(const ConvexHull& other) { return *this = ConvexHull(other); }
@@ -187,6 +249,23 @@ HullTest ConvexHull::test() const noexcept {
 std::span<const Vec3> ConvexHull::directions() const noexcept {
   if (!parts_) return {};
   return {parts_->vertex.data() + parts_->points, parts_->vertices - parts_->points};
+}
+
+ConvexHull between_polygons(std::span<const Vec3> p, std::span<const Vec3> q, HullTest test) {
+  kernel::require_memory("p", p, "corners");
+  kernel::require_memory("q", q, "corners");
+  constexpr std::size_t most = ConvexHull::max_vertices;
+  if (p.empty() || q.empty()) {
+    kernel::fail(InvalidArgument(std::string("between_polygons: ") + (p.empty() ? "p" : "q") +
+                                 " has no corner; both ends need one or more"));
+  }
+  if (p.size() > most || q.size() > most - p.size()) {
+    kernel::fail(InvalidArgument("between_polygons: p has " + std::to_string(p.size()) + " corners and q " +
+                                 std::to_string(q.size()) + "; together there can be " + std::to_string(most)));
+  }
+  std::array<Vec3, most> both;
+  std::copy(q.begin(), q.end(), std::copy(p.begin(), p.end(), both.begin()));
+  return ConvexHull(std::span<const Vec3>(both).first(p.size() + q.size()), {}, test, p.size());
 }
 
 }  // namespace shaftcull

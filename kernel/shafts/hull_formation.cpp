@@ -30,7 +30,9 @@ class PlanesOfTriangles {
       face_of_[t] = no_face;
       if (!mesh_.is_at_infinity(t)) take_face(t);
     }
+    hull_.creases = 0;
     for (unsigned t = 0; t < mesh_.count(); ++t) take_edges(t);
+    write_facets();
     write_faces();
     for (unsigned axis = 0; axis < 3; ++axis) write_edges(axis);
     writer_.finish();
@@ -140,6 +142,11 @@ class PlanesOfTriangles {
       const unsigned from = corner[e];
       const unsigned to = corner[e + 1];
       const unsigned across = mesh_.left_of(to, from);
+      // Written in any case, and kept of each two faces with an edge once.
+      hull_.crease[hull_.creases] = {static_cast<std::uint8_t>(from), static_cast<std::uint8_t>(to), face_of_[t],
+                                     face_of_[across]};
+      const bool is_edge = from < to && from < hull_.points && face_of_[t] != face_of_[across];
+      hull_.creases = static_cast<std::uint8_t>(hull_.creases + (is_edge ? 1 : 0));
       const unsigned p = std::min(from, to);
       const unsigned q = std::max(from, to);
       const unsigned axes = p < hull_.points ? along & face_[face_of_[across]].against : 0;  // else it is no line
@@ -182,6 +189,24 @@ class PlanesOfTriangles {
     if (is_face) edges.is_face |= bit;
   }
 
+  void write_facets() noexcept {
+    hull_.facets = static_cast<std::uint8_t>(faces_);
+    for (unsigned f = 0; f < faces_; ++f) {
+      const Face& face = face_[f];
+      const double scale =
+          face.sign *
+          scale_of(std::max({std::fabs(face.normal[0]), std::fabs(face.normal[1]), std::fabs(face.normal[2])}));
+      for (unsigned k = 0; k < 3; ++k) hull_.facet[f][k] = static_cast<float>(face.normal[k] * scale);
+    }
+  }
+
+  /// The power of 2 by which a number becomes one from 1 to 2. It is no denormal.
+  static double scale_of(double largest) noexcept {
+    constexpr std::uint64_t exponents = 0x7ffU;
+    const std::uint64_t exponent = std::bit_cast<std::uint64_t>(largest) >> 52 & exponents;
+    return std::bit_cast<double>((2 * std::uint64_t{1023} - exponent) << 52);
+  }
+
   void write_faces() noexcept {
     std::uint32_t order[SmallHull::most_triangles];  // by vertices, then the number
     unsigned count = 0;
@@ -220,7 +245,7 @@ class PlanesOfTriangles {
 /// Finds the box around a hull that has no planes yet.
 void begin(HullData& hull) noexcept {
   hull.is_bounded = hull.points == hull.vertices;
-  hull.faces = hull.edges = hull.face_edges = 0;
+  hull.faces = hull.edges = hull.face_edges = hull.creases = hull.facets = 0;
   for (unsigned k = 0; k < 3; ++k) {
     hull.box[k] = std::numeric_limits<float>::infinity();
     hull.box[k + 3] = -std::numeric_limits<float>::infinity();

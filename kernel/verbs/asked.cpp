@@ -75,7 +75,7 @@ Asked::Asked(const char* call, std::span<const CompiledShaft> shafts, const Boun
       options_(query, call, takes, shafts.size(), scanned_.streams.count, scanned_.streams.kind,
                scanned_.layers != nullptr) {
   if (question == Question::blocking) require_boxes();
-  require_answers_of(shafts_, question, kind(), options_.triangle_test());
+  require_answers_of(shafts_, question);
   if (options_.only()) {
     scanned_.candidates = options_.only();
     scanned_.position = std::visit([](const auto& from) { return positions_of(from); }, BoundsAccess::from(bounds));

@@ -43,7 +43,6 @@ bool keeps(const CompiledShaft& shaft, const Triangle& triangle, TriangleTest te
   const kernel::ShaftData& data = kernel::data_of(shaft);
   kernel::require_triangle_test("test", test);
   kernel::require_formed(data, 0);
-  if (test == TriangleTest::exact) kernel::require_no_hull_for_exact_test(data, 0);
   const float* stream[9];
   for (std::size_t s = 0; s != 9; ++s) stream[s] = &triangle.vertex[s / 3][s % 3];
   const kernel::Kernels& kernels = kernel::active_kernels();

@@ -237,9 +237,6 @@ void find_occluders(const CullOptions& options, const CullReport& report, PairRe
 
 void run(const CullOptions& options) {
   options.isa.select();
-  if (options.choice.kind() == ShaftKind::hull && options.triangles == "exact") {
-    throw InvalidArgument("--triangles exact: convex hulls test triangles by their vertices only; give vertices");
-  }
   const bool with_triangles = options.bounds == "triangle" || !options.triangles.empty();
   CullReport report{options.path,
                     Grain::object,

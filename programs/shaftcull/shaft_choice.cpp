@@ -104,9 +104,6 @@ FormedShaft ShaftChoice::form(const Box& from, const Box& to, Contact contact) c
   CompiledShaft shaft;
   switch (kind()) {
     case ShaftKind::hull:
-      if (contact == Contact::open) {
-        throw InvalidArgument("--contact open: what touches a convex hull is kept; leave out --contact or --hull");
-      }
       if (points_.size() + directions_.size() > ConvexHull::max_vertices) {
         throw InvalidArgument(fmt::format("--hull: {} corners and directions; a hull has at most {}",
                                           points_.size() + directions_.size(), ConvexHull::max_vertices));
@@ -114,7 +111,7 @@ FormedShaft ShaftChoice::form(const Box& from, const Box& to, Contact contact) c
       if (directions_ == std::vector<Vec3>{Vec3{}}) {
         throw InvalidArgument("--towards 0,0,0: no direction; give one that is not 0");
       }
-      return FormedShaft(ConvexHull(points_, directions_));
+      return FormedShaft(ConvexHull(points_, directions_), contact);
     case ShaftKind::swept:
       shaft = swept(from, motion_);
       break;

@@ -3,11 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -26,17 +26,18 @@ enum class ShaftKind : std::uint8_t { between, swept, swept_infinite, shadow, hu
 /// A shaft with its planes, or a convex hull in its place.
 class FormedShaft {
  public:
-  explicit FormedShaft(const CompiledShaft& shaft) : formed_(shaft) {}
-  explicit FormedShaft(const ConvexHull& hull) : formed_(hull) {}
-
-  /// Valid as long as this.
-  [[nodiscard]] const CompiledShaft& compiled() const {
-    const auto* const shaft = std::get_if<CompiledShaft>(&formed_);
-    return shaft != nullptr ? *shaft : std::get<ConvexHull>(formed_).compiled();
+  explicit FormedShaft(const CompiledShaft& shaft) : shaft_(shaft) {}
+  FormedShaft(const ConvexHull& hull, Contact contact)
+      : hull_(std::make_shared<const ConvexHull>(hull)), shaft_(*hull_) {
+    set_contact(shaft_, contact);
   }
 
+  /// Valid as long as this.
+  [[nodiscard]] const CompiledShaft& compiled() const { return shaft_; }
+
  private:
-  std::variant<CompiledShaft, ConvexHull> formed_;
+  std::shared_ptr<const ConvexHull> hull_;  // that the shaft refers to
+  CompiledShaft shaft_;
 };
 
 class ShaftChoice {

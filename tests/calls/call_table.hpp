@@ -74,7 +74,7 @@ struct CallTable {
   }
 
   std::vector<CompiledShaft> shafts;   ///< what queries ask
-  std::vector<CompiledShaft> between;  ///< those of them that are between two boxes
+  std::vector<CompiledShaft> between;  ///< those of them that are between two boxes, and one between polygons
   std::vector<Box> boxes;
   std::vector<Sphere> spheres;
   std::vector<std::uint32_t> candidates;

@@ -43,6 +43,9 @@ EveryCall::EveryCall(std::vector<CompiledShaft> shafts, std::size_t bounds) {
     table_.of_each.push_back(static_cast<std::uint32_t>(7 * s % bounds));
     if (!is_moving(s)) table_.between.push_back(table_.shafts[s]);
   }
+  static const ConvexHull polygons = between_polygons(std::vector<Vec3>{{-5, -1, 0}, {-5, 1, 0.5F}, {-5, 0, 1e-39F}},
+                                                      std::vector<Vec3>{{5, -1, 0.1F}, {5.5F, 1, 0.5F}, {5, 0, 1}});
+  table_.between.push_back(polygons);
   table_.box_stream = BoxStream(table_.boxes);
   table_.sphere_stream = SphereStream(table_.spheres);
   for (std::size_t i = 0; i != bounds; ++i) {

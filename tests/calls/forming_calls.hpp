@@ -43,8 +43,12 @@ inline void add_forming_calls(CallTable& table) {
     const ConvexHull view = frustum(matrix, ClipDepth::minus_one_to_one);
     const std::vector<Vec3> points = {{0, 0, 0}, {3, 1e-3F, 1}, {1, 2, 4}, {0.1F, 5, 1e-39F}};
     for (const ConvexHull& hull : {view, casters(view, {0.3F, 9, 5}), casters_towards(view, {0, 1, 0.1F}),
-                                   ConvexHull(points), ConvexHull(points, std::span(points).last(1))}) {
+                                   ConvexHull(points), ConvexHull(points, std::span(points).last(1)),
+                                   between_polygons(std::span(points).first(2), std::span(points).last(2))}) {
       note_shaft(words, hull, table.box_stream.view().slice(0, 64));
+      CompiledShaft open = hull;
+      set_contact(open, Contact::open);
+      note_shaft(words, open, table.box_stream.view().slice(0, 64));
     }
   });
   table.add("swept, swept_infinite, shadow", false, [&table](AnswerWords& words) {

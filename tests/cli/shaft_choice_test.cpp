@@ -139,7 +139,6 @@ TEST(CliDraw, RefusesOptionsThatDoNotGoTogether) {
   EXPECT_THAT(refusal_of({"draw", "--hull", "1,0,0", "--from", "0,0,0,1,1,1"}), HasSubstr("--from"));
   EXPECT_THAT(refusal_of({"draw", "--hull", "1,0,0", "--swept", "1,0,0"}), HasSubstr("--swept"));
   EXPECT_THAT(refusal_of({"draw", "--hull", "1,0,0", "--times"}), HasSubstr("--times"));
-  EXPECT_THAT(refusal_of({"draw", "--hull", "1,0,0", "--contact", "open"}), HasSubstr("--contact open: what touches"));
   EXPECT_THAT(refusal_of({"draw", "--svg", "--size", "20"}), HasSubstr("--size"));
   EXPECT_THAT(refusal_of({"draw", "--view", "xz"}), HasSubstr("--svg"));
   EXPECT_THAT(refusal_of({"draw", "--svg", "--view", "xw"}), AllOf(HasSubstr("--view"), HasSubstr("xw")));

@@ -146,7 +146,8 @@ Case::Input Case::input() const {
 }
 
 std::string Case::text() const {
-  return std::visit([](const auto& of) { return source_text(of); }, input(planes));
+  const std::string text = std::visit([](const auto& of) { return source_text(of); }, input(planes));
+  return is_hull() && contact == Contact::open ? text + ", Contact::open" : text;
 }
 
 bool is_addable(const Plane& plane) {

@@ -45,6 +45,13 @@ std::vector<Answer> answers(const ConvexHull& hull, const std::vector<Bound>& bo
   classify(hull, memory.view(), {}, inside_alone);
   EXPECT_EQ(culled, kept);
   EXPECT_EQ(inside_alone, inside);
+  for (const std::size_t few : {2U, 7U, 16U, 31U}) {  // other stages than of many
+    if (few > bounds.size()) break;
+    const std::size_t first = bounds.size() - few;
+    std::uint64_t word = 0;
+    cull(hull, memory.view().slice(first, few), {&word, 1});
+    for (std::size_t i = 0; i != few; ++i) EXPECT_EQ((word >> i & 1U) != 0, bit(kept, first + i)) << few;
+  }
   std::vector<Answer> all;
   for (std::size_t i = 0; i != bounds.size(); ++i) {
     all.push_back(answer_at(kept, inside, i));

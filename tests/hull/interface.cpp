@@ -36,16 +36,47 @@ static_assert(!std::is_assignable_v<CompiledShaft&, ConvexHull> &&
 static_assert(std::is_convertible_v<const ConvexHull&, CompiledShaft>);
 static_assert(std::is_invocable_v<decltype([](const CompiledShaft& /*shaft*/) {}), ConvexHull>);
 
-TEST(HullInterface, OpenContactIsRefused) {
+TEST(HullInterface, CopiesOfTheShaftHaveAContactOfTheirOwn) {
   const ConvexHull hull(tetrahedron);
-  EXPECT_EQ(hull.compiled().contact(), Contact::closed);
+  const Box behind{{-1, -1, -1}, {0, 5, 5}};
   std::vector<CompiledShaft> shafts = {compile({{0, 0, 0}, {1, 1, 1}}, {{2, 2, 2}, {3, 3, 3}}), hull.compiled()};
-  for (const Contact contact : {Contact::closed, Contact::open}) {
-    EXPECT_THAT(message_of([&] { set_contact(shafts, contact); }),
-                HasSubstr("shaft 1 is a convex hull, whose contact is closed"));
-    EXPECT_THAT(message_of([&] { set_contact(shafts[1], contact); }), HasSubstr("shaft 0 is a convex hull"));
+  EXPECT_TRUE(keeps(shafts[1], behind));
+  set_contact(shafts, Contact::open);
+  EXPECT_EQ(shafts[1].contact(), Contact::open);
+  EXPECT_EQ(hull.compiled().contact(), Contact::closed);
+  EXPECT_FALSE(keeps(shafts[1], behind));
+  EXPECT_TRUE(keeps(hull, behind));
+  EXPECT_EQ(CompiledShaft(shafts[1]).contact(), Contact::open);
+  set_contact(shafts[1], Contact::closed);
+  EXPECT_EQ(shafts[1].contact(), Contact::closed);
+  EXPECT_TRUE(keeps(shafts[1], behind));
+}
+
+TEST(HullInterface, AShaftAroundTheHullHasThePlanesThatAHullHasNot) {
+  const Box a{{0, 0, 0}, {2, 3, 1}};
+  const Box b{{9, 2, 1}, {10, 6, 4}};
+  std::vector<Vec3> corners;
+  for (const Box* box : {&a, &b}) {
+    for (unsigned c = 0; c != 8; ++c) {
+      corners.push_back({(c & 1U) != 0 ? box->hi[0] : box->lo[0], (c & 2U) != 0 ? box->hi[1] : box->lo[1],
+                         (c & 4U) != 0 ? box->hi[2] : box->lo[2]});
+    }
   }
-  EXPECT_EQ(shafts[0].contact(), Contact::closed) << "written before the error was found";
+  const ConvexHull hull(corners);
+  const std::vector<Plane> planes = {{{1, 2, -1}, 8}, {{-1, 0, 3}, 2}};
+  const CompiledShaft around = compile(hull.box(), hull.box(), planes);
+  const CompiledShaft with_planes = compile(a, b, planes);
+  unsigned kept = 0;
+  unsigned beyond = 0;
+  for (unsigned i = 0; i != 11 * 7 * 5; ++i) {
+    const Vec3 at = {static_cast<float>(i % 11), static_cast<float>(i / 11 % 7), static_cast<float>(i / 77)};
+    const Box box{at, {at[0] + 0.5F, at[1] + 0.5F, at[2] + 0.5F}};
+    EXPECT_EQ(keeps(hull, box) && keeps(around, box), keeps(with_planes, box));
+    kept += keeps(with_planes, box) ? 1 : 0;
+    beyond += keeps(hull, box) && !keeps(around, box) ? 1 : 0;
+  }
+  EXPECT_GT(kept, 5U);
+  EXPECT_GT(beyond, 5U);
 }
 
 TEST(HullInterface, TheTestIsThatOfTheViewAndKept) {

@@ -36,7 +36,8 @@ constexpr float matrix[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1.04F, -2.04F, 0, 0,
 
 const sc::ConvexHull view = sc::frustum(matrix, depth);
 const std::vector<sc::Vec3> view_corners(view.points().begin(), view.points().end());
-const std::vector<sc::Vec3> corners_of_both = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 10}, {1, 0, 10}, {1, 1, 10}};
+const std::vector<sc::Vec3> corners = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}};
+const std::vector<sc::Vec3> other_corners = {{0, 1, 10}, {1, 0, 10}, {1, 1, 10}};
 
 const sc::CompiledShaft shaft = sc::compile(patch, other_patch);
 const sc::BoxStream walls(std::vector<sc::Box>{{{20, 0, 5}, {21, 1, 6}}, {{-1, -1, 5}, {2, 2, 6}}});
@@ -86,7 +87,7 @@ std::vector<Question> questions() {
           QUESTION(sc::frustum(matrix, depth)),
           QUESTION(sc::casters(view, light_position)),
           QUESTION(sc::casters_towards(view, towards_sun)),
-          QUESTION(sc::ConvexHull(corners_of_both)),
+          QUESTION(sc::between_polygons(corners, other_corners)),
           QUESTION(sc::swept_infinite(body, down)),
           QUESTION(sc::swept_infinite(body, from_sun)),
           QUESTION(sc::shadow(sc::Box{eye, eye}, occluder)),
@@ -120,6 +121,7 @@ struct Answer {
 std::vector<Answer> answers() {
   return {
       ANSWER(answer, sc::occluded(sc::compile(patch, other_patch), walls)),
+      ANSWER(answer, sc::occluded(sc::between_polygons(corners, other_corners), walls)),
       ANSWER(answer, sc::occluded(sc::compile(patch, other_patch), wall_corners)),
       ANSWER(answer.index == 1 && answer.time > 0.44F && answer.time < 0.45F,
              sc::first_contact(sc::swept(body, travel), tree, {.exclude = {me}})),

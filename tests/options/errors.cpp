@@ -318,18 +318,6 @@ TEST_F(OptionErrors, ATestOfTrianglesIsRefusedForOtherBoundsAndIfThereIsNoSuchTe
   });
 }
 
-TEST_F(OptionErrors, TheExactTestOfTrianglesIsRefusedByHulls) {
-  const ConvexHull hull(std::vector<Vec3>{{-9, -9, -9}, {9, -9, -9}, {0, 9, 0}, {0, 0, 9}});
-  const std::vector<CompiledShaft> shafts(shaft_count, hull.compiled());
-  for_each([&](const Verb& verb, const Container& container) {
-    if (container.kind != Verb::all) return;
-    Outputs out;
-    EXPECT_THAT(message_of([&] { verb.ask(out, shafts, container.bounds, {}); }), HasSubstr("convex hull"));
-    EXPECT_TRUE(out.are_untouched());
-    EXPECT_NO_THROW(verb.ask(out, shafts, container.bounds, {.triangle_test = TriangleTest::vertices}));
-  });
-}
-
 TEST_F(OptionErrors, LayersAreRefusedIfTheBoundsHaveNone) {
   for_each([&](const Verb& verb, const Container& container) {
     if (!container.has_layers) expect_refused(verb, container, {.layer_mask = {1}}, "layer_mask");

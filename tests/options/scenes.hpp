@@ -221,6 +221,7 @@ class ShaftSet {
       }
       hulls_.push_back(std::make_unique<ConvexHull>(points));
       shafts_.push_back(hulls_.back()->compiled());
+      if (random.one_in(3)) set_contact(shafts_.back(), Contact::open);
       return;
     }
     shafts_.push_back(drawn(random, kind));

@@ -178,11 +178,10 @@ void expect_all(std::uint64_t seed, const Plan& plan, Found& found) {
                std::to_string(plan.shafts) + " shafts");
   Random random(seed);
   const bool has_layers = random.one_in(2);
-  // A hull answers triangles by vertices only.
   const bool by_vertices = std::is_same_v<Bound, Triangle> && random.one_in(2);
   const TriangleTest test = by_vertices ? TriangleTest::vertices : TriangleTest::exact;
   const Scene<Bound> scene(random, bounds_of<Bound>(random, plan.bounds), has_layers);
-  const ShaftSet shafts(random, plan.shafts, by_vertices || !std::is_same_v<Bound, Triangle>);
+  const ShaftSet shafts(random, plan.shafts, true);
   const Truth truth = truth_of(shafts.all(), scene.bounds(), test);
   for (std::size_t i = 0; i != random_cases(plan.cases); ++i) {
     const QueryCase options(random, truth, has_layers ? Options::all : Options::all & ~Options::layer_mask, test);

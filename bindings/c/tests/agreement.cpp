@@ -229,9 +229,8 @@ TEST_P(CAgreesWithCpp, OnTriangles) {
     const std::vector<Options> each = each_option(random, shafts.cpp.size(), triangles.size(), Kind::triangles, test);
     compare({shafts, c_tree.get(), tree, Kind::triangles, false}, each);  // it has no layers
     compare({shafts, c_tree.get(), tree, Kind::triangles, false}, all_at_once(each, false));
-    const std::size_t count = exact ? shafts.moving : shafts.cpp.size();  // hulls take vertices only
     Words inside(bit_words(triangles.size()));
-    for (std::size_t s = 0; s != count; ++s) {
+    for (std::size_t s = 0; s != shafts.cpp.size(); ++s) {
       classify(shafts.cpp[s], stream, {}, inside, {.triangle_test = test});
       for (std::size_t i = 0; i < triangles.size(); i += 10) {
         shaftcull_answer answer = 99;

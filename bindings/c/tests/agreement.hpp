@@ -116,11 +116,8 @@ struct Question {
   [[nodiscard]] const shaftcull_shafts* shafts() const { return of.shafts.c.get(); }
   [[nodiscard]] const CompiledShaft& shaft(std::size_t s) const { return of.shafts.cpp[s]; }
   [[nodiscard]] std::size_t size() const { return of.cpp.size(); }
-  /// How many of the shafts answer. Hulls answer about triangles by vertices only.
-  [[nodiscard]] std::size_t count() const {
-    const bool is_exact = of.kind == Kind::triangles && options.test == TriangleTest::exact;
-    return is_exact ? of.shafts.moving : of.shafts.cpp.size();
-  }
+  /// How many of the shafts answer.
+  [[nodiscard]] std::size_t count() const { return of.shafts.cpp.size(); }
 
   /// Whether the options mean something to these bounds.
   [[nodiscard]] bool fits() const {

@@ -8,7 +8,7 @@ namespace shaftcull::agreement {
 
 void make_shafts(Random& random, Shafts& shafts) {
   constexpr std::size_t pairs = 5;
-  constexpr std::size_t all = 2 + pairs + 2 + 4 + 4 * 2 + 5;
+  constexpr std::size_t all = 2 + pairs + 2 + 4 + 4 * 2 + 6;
   shafts.c = made<ShaftsHandle>(shaftcull_shafts_create, std::uint64_t{all});
   shaftcull_shafts* const c = shafts.c.get();
   std::uint64_t next = 0;
@@ -98,7 +98,7 @@ void make_shafts(Random& random, Shafts& shafts) {
   shafts.moving = shafts.cpp.size();
 
   // Hulls. They stay in the array of C when they are freed.
-  shafts.hulls.reserve(5);  // shafts refer to them where they are
+  shafts.hulls.reserve(6);  // shafts refer to them where they are
   std::vector<Vec3> corners;
   std::vector<float> corner_floats;
   for (int i = 0; i != 7; ++i) {
@@ -113,12 +113,15 @@ void make_shafts(Random& random, Shafts& shafts) {
     add(shafts.hulls.back().compiled());
   };
   using None = const float*;
-  add_hull(made<HullHandle>(shaftcull_hull_create, corner_floats.data(), std::uint64_t{7}, None(), std::uint64_t{0},
-                            std::uint32_t{SHAFTCULL_HULL_EXACT}),
+  add_hull(made<HullHandle>(shaftcull_hull_create, corner_floats.data(), std::uint64_t{7}, std::uint64_t{0}, None(),
+                            std::uint64_t{0}, std::uint32_t{SHAFTCULL_HULL_EXACT}),
            ConvexHull(corners));
-  add_hull(made<HullHandle>(shaftcull_hull_create, corner_floats.data(), std::uint64_t{6}, &corner_floats[18],
-                            std::uint64_t{1}, std::uint32_t{SHAFTCULL_HULL_CONSERVATIVE}),
+  add_hull(made<HullHandle>(shaftcull_hull_create, corner_floats.data(), std::uint64_t{6}, std::uint64_t{0},
+                            &corner_floats[18], std::uint64_t{1}, std::uint32_t{SHAFTCULL_HULL_CONSERVATIVE}),
            ConvexHull(std::span(corners).first(6), std::span(corners).last(1), HullTest::conservative));
+  add_hull(made<HullHandle>(shaftcull_hull_create, corner_floats.data(), std::uint64_t{7}, std::uint64_t{3}, None(),
+                            std::uint64_t{0}, std::uint32_t{SHAFTCULL_HULL_EXACT}),
+           between_polygons(std::span(corners).first(3), std::span(corners).last(4)));
   const HullHandle view =
       made<HullHandle>(shaftcull_hull_of_frustum, &matrix[0], std::uint32_t{SHAFTCULL_DEPTH_MINUS_ONE_TO_ONE},
                        std::uint32_t{SHAFTCULL_HULL_EXACT});

@@ -125,8 +125,8 @@ TEST(CMemory, ThatRunsOutIsAStatusAndChangesNothing) {
   const ShaftsHandle shafts = made<ShaftsHandle>(shaftcull_shafts_create, std::uint64_t{300});
   const ListsHandle lists = made<ListsHandle>(shaftcull_lists_create);
   const HullHandle hull =
-      made<HullHandle>(shaftcull_hull_create, &points[0], std::uint64_t{4}, static_cast<const float*>(nullptr),
-                       std::uint64_t{0}, std::uint32_t{SHAFTCULL_HULL_EXACT});
+      made<HullHandle>(shaftcull_hull_create, &points[0], std::uint64_t{4}, std::uint64_t{0},
+                       static_cast<const float*>(nullptr), std::uint64_t{0}, std::uint32_t{SHAFTCULL_HULL_EXACT});
   for (std::uint64_t s = 0; s != 300; ++s) ok(set_between(shafts.get(), s, lamp, table));
   const PatchesHandle patches = made<PatchesHandle>(shaftcull_patches_create, &source,
                                                     static_cast<const shaftcull_plane*>(nullptr), std::uint64_t{0});
@@ -153,8 +153,8 @@ TEST(CMemory, ThatRunsOutIsAStatusAndChangesNothing) {
       creates(shaftcull_bounds_free, shaftcull_bounds_copy, static_cast<const shaftcull_bounds*>(tree.get())),
       creates(shaftcull_shafts_free, shaftcull_shafts_create, std::uint64_t{10}),
       creates(shaftcull_lists_free, shaftcull_lists_create),
-      creates(shaftcull_hull_free, shaftcull_hull_create, &points[0], std::uint64_t{4}, &down[0], std::uint64_t{1},
-              std::uint32_t{SHAFTCULL_HULL_EXACT}),
+      creates(shaftcull_hull_free, shaftcull_hull_create, &points[0], std::uint64_t{4}, std::uint64_t{0}, &down[0],
+              std::uint64_t{1}, std::uint32_t{SHAFTCULL_HULL_EXACT}),
       creates(shaftcull_patches_free, shaftcull_patches_create, &source, static_cast<const shaftcull_plane*>(nullptr),
               std::uint64_t{0}),
       creates(shaftcull_occluders_free, shaftcull_occluders_create),

@@ -179,8 +179,8 @@ class Shafts:
     def open_contact(self) -> _Bools:
         """bool (n,), or a bool: whether bounds that only touch a shaft are left out."""
     def with_contact(self, contact: _Contact) -> Shafts:
-        """Copies that keep bounds which only touch them ('closed') or do not ('open'). ValueError for other words, and
-        for hulls, which have closed contact only.
+        """Copies that keep bounds which only touch them ('closed') or do not ('open'); of a hull, copies of
+        Shafts.concatenate([hull]). ValueError for other words.
         """
     def completed(self) -> Shafts:
         """Copies with their planes worked out, about 65 ns each. It pays for shafts of several queries about spheres,
@@ -204,10 +204,20 @@ class ConvexHull:
         view by its planes. It is quicker, and keeps some boxes beside edges and corners. Casters take that of
         their view.
 
-    Boxes are answered exactly, spheres to the safe side, triangles by their vertices only
-    (triangle_test='vertices'). Queries for times and for occluders refuse a hull, and so does open contact.
+    Boxes and triangles are answered exactly, spheres to the safe side. Queries for times refuse a hull, and
+    queries for occluders one that is not made by between_polygons(). Contact is closed;
+    Shafts.concatenate([hull]).with_contact('open') leaves out bounds that only touch the hull.
     """
     def __init__(self, points: _Floats, directions: _Floats | None = None, test: _HullTest = "exact") -> None: ...
+    @staticmethod
+    def between_polygons(p: _Floats, q: _Floats, test: _HullTest = "exact") -> ConvexHull:
+        """The ConvexHull of two ends: polygons, turned boxes or others, each the convex hull of its corners. Queries
+        about occluders take it: what hides one end from the other.
+
+        p, q: float32 (n, 3), corners in any order, 1 or more each and 32 together. test: as that of ConvexHull.
+
+        TypeError or ValueError for others.
+        """
     @staticmethod
     def frustum(matrix: _Floats, depth: _Depth = "zero_to_one", test: _HullTest = "exact") -> ConvexHull:
         """The volume that a view-projection matrix shows: a ConvexHull.
@@ -269,7 +279,7 @@ class Bounds:
         exclude_mask: bool (bounds,): True leaves a bound out for all shafts.
         layer_mask: integers from 0 to 2**32 - 1, one or (n,): leaves out bounds in none of these layers.
         only: integers (k,): looks only at these bounds, such as candidates of a larger shaft, in their order.
-        triangle_test: 'exact'; for triangles also 'vertices', which is cheaper, keeps more, and is needed for hulls.
+        triangle_test: 'exact'; for triangles also 'vertices', which is cheaper and keeps more.
 
         TypeError, ValueError or IndexError names the argument that does not fit; NeedsRefit is for a tree that needs
         refit(), RuntimeError for bounds that another thread is changing. One shaft runs on the calling thread, n on
@@ -295,7 +305,7 @@ class Bounds:
         exclude_mask: bool (bounds,): True leaves a bound out for all shafts.
         layer_mask: integers from 0 to 2**32 - 1, one or (n,): leaves out bounds in none of these layers.
         only: integers (k,): looks only at these bounds, such as candidates of a larger shaft, in their order.
-        triangle_test: 'exact'; for triangles also 'vertices', which is cheaper, keeps more, and is needed for hulls.
+        triangle_test: 'exact'; for triangles also 'vertices', which is cheaper and keeps more.
 
         TypeError, ValueError or IndexError names the argument that does not fit; NeedsRefit is for a tree that needs
         refit(), RuntimeError for bounds that another thread is changing. One shaft runs on the calling thread, n on
@@ -322,7 +332,7 @@ class Bounds:
         exclude_mask: bool (bounds,): True leaves a bound out for all shafts.
         layer_mask: integers from 0 to 2**32 - 1, one or (n,): leaves out bounds in none of these layers.
         only: integers (k,): looks only at these bounds, such as candidates of a larger shaft, in their order.
-        triangle_test: 'exact'; for triangles also 'vertices', which is cheaper, keeps more, and is needed for hulls.
+        triangle_test: 'exact'; for triangles also 'vertices', which is cheaper and keeps more.
 
         TypeError, ValueError or IndexError names the argument that does not fit; NeedsRefit is for a tree that needs
         refit(), RuntimeError for bounds that another thread is changing. One shaft runs on the calling thread, n on
@@ -350,7 +360,7 @@ class Bounds:
         layer_mask: integers from 0 to 2**32 - 1, one or (n,): leaves out bounds in none of these layers.
         limit: an integer of 0 or more: stops at so many results for each shaft, the first ones.
         only: integers (k,): looks only at these bounds, such as candidates of a larger shaft, in their order.
-        triangle_test: 'exact'; for triangles also 'vertices', which is cheaper, keeps more, and is needed for hulls.
+        triangle_test: 'exact'; for triangles also 'vertices', which is cheaper and keeps more.
 
         TypeError, ValueError or IndexError names the argument that does not fit; NeedsRefit is for a tree that needs
         refit(), RuntimeError for bounds that another thread is changing. One shaft runs on the calling thread, n on
@@ -376,7 +386,7 @@ class Bounds:
         exclude_mask: bool (bounds,): True leaves a bound out for all shafts.
         layer_mask: integers from 0 to 2**32 - 1, one or (n,): leaves out bounds in none of these layers.
         only: integers (k,): looks only at these bounds, such as candidates of a larger shaft, in their order.
-        triangle_test: 'exact'; for triangles also 'vertices', which is cheaper, keeps more, and is needed for hulls.
+        triangle_test: 'exact'; for triangles also 'vertices', which is cheaper and keeps more.
 
         TypeError, ValueError or IndexError names the argument that does not fit; NeedsRefit is for a tree that needs
         refit(), RuntimeError for bounds that another thread is changing. One shaft runs on the calling thread, n on
@@ -407,7 +417,7 @@ class Bounds:
         layer_mask: integers from 0 to 2**32 - 1, one or (n,): leaves out bounds in none of these layers.
         limit: an integer of 0 or more: stops at so many results for each shaft, the first ones.
         only: integers (k,): looks only at these bounds, such as candidates of a larger shaft, in their order.
-        triangle_test: 'exact'; for triangles also 'vertices', which is cheaper, keeps more, and is needed for hulls.
+        triangle_test: 'exact'; for triangles also 'vertices', which is cheaper and keeps more.
 
         TypeError, ValueError or IndexError names the argument that does not fit; NeedsRefit is for a tree that needs
         refit(), RuntimeError for bounds that another thread is changing. One shaft runs on the calling thread, n on
@@ -433,7 +443,7 @@ class Bounds:
         exclude_mask: bool (bounds,): True leaves a bound out for all shafts.
         layer_mask: integers from 0 to 2**32 - 1, one or (n,): leaves out bounds in none of these layers.
         only: integers (k,): looks only at these bounds, such as candidates of a larger shaft, in their order.
-        triangle_test: 'exact'; for triangles also 'vertices', which is cheaper, keeps more, and is needed for hulls.
+        triangle_test: 'exact'; for triangles also 'vertices', which is cheaper and keeps more.
 
         TypeError, ValueError or IndexError names the argument that does not fit; NeedsRefit is for a tree that needs
         refit(), RuntimeError for bounds that another thread is changing. One shaft runs on the calling thread, n on

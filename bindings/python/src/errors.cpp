@@ -15,8 +15,7 @@ namespace {
 
 /// A message of the library with Python's names of options.
 std::string in_python(std::string message) {
-  constexpr std::pair<const char*, const char*> names[] = {{"query.", ""},
-                                                           {"TriangleTest::vertices", "triangle_test='vertices'"}};
+  constexpr std::pair<const char*, const char*> names[] = {{"query.", ""}};
   for (const auto& [name, keyword] : names) {
     for (std::size_t at = message.find(name); at != std::string::npos; at = message.find(name, at)) {
       message.replace(at, std::strlen(name), keyword);

@@ -29,6 +29,14 @@ Hull hull_of(const py::object& points, const py::object& directions, const std::
   return std::make_shared<ConvexHull>(ends.vectors, ways.vectors, by);
 }
 
+Hull hull_between(const py::object& p, const py::object& q, const std::string& test) {
+  const VectorsIn first = vectors_in(p, "p");
+  const VectorsIn second = vectors_in(q, "q");
+  const HullTest by = hull_test_in(test);
+  const py::gil_scoped_release release;
+  return std::make_shared<ConvexHull>(between_polygons(first.vectors, second.vectors, by));
+}
+
 /// A view-projection matrix, whose 16 floats lie row after row.
 py::array_t<float> matrix_in(const py::object& given) {
   py::array_t<float> matrix = floats_in(given, "matrix");
@@ -63,9 +71,17 @@ test: 'exact', or 'conservative': boxes are outside only if they are beyond one 
     view by its planes. It is quicker, and keeps some boxes beside edges and corners. Casters take that of
     their view.
 
-Boxes are answered exactly, spheres to the safe side, triangles by their vertices only
-(triangle_test='vertices'). Queries for times and for occluders refuse a hull, and so does open contact.)")
+Boxes and triangles are answered exactly, spheres to the safe side. Queries for times refuse a hull, and
+queries for occluders one that is not made by between_polygons(). Contact is closed;
+Shafts.concatenate([hull]).with_contact('open') leaves out bounds that only touch the hull.)")
       .def(py::init(&hull_of), arg("points"), arg("directions") = py::none(), arg("test") = "exact")
+      .def_static("between_polygons", &hull_between, arg("p"), arg("q"), arg("test") = "exact", R"(
+The ConvexHull of two ends: polygons, turned boxes or others, each the convex hull of its corners. Queries
+about occluders take it: what hides one end from the other.
+
+p, q: float32 (n, 3), corners in any order, 1 or more each and 32 together. test: as that of ConvexHull.
+
+TypeError or ValueError for others.)")
       .def_static(
           "frustum",
           [](const py::object& matrix, const std::string& depth, const std::string& test) {

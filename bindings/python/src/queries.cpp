@@ -62,7 +62,7 @@ skip_overlapping: True leaves out bounds that the box overlaps at the start: wit
 struct TestKeyword {
   using Value = std::string;
   static constexpr const char* about = R"(
-triangle_test: 'exact'; for triangles also 'vertices', which is cheaper, keeps more, and is needed for hulls.)";
+triangle_test: 'exact'; for triangles also 'vertices', which is cheaper and keeps more.)";
   static py::arg_v named() { return arg("triangle_test") = "exact"; }
   static void give(Options& options, const Value& test) { options.triangle_test = triangle_test_in(test); }
 };

@@ -165,8 +165,8 @@ bool (n,). IndexError for one that names nothing.)")
             return changed(self, [touching](std::span<CompiledShaft> all) { set_contact(all, touching); });
           },
           arg("contact"), R"(
-Copies that keep bounds which only touch them ('closed') or do not ('open'). ValueError for other words, and
-for hulls, which have closed contact only.)")
+Copies that keep bounds which only touch them ('closed') or do not ('open'); of a hull, copies of
+Shafts.concatenate([hull]). ValueError for other words.)")
       .def(
           "completed",
           [](const Shafts& self) {

@@ -97,10 +97,28 @@ def test_hulls_go_where_shafts_go():
         np.testing.assert_array_equal(holder.cull(both), [holder.cull(hull)] * 3)
         with pytest.raises(ValueError, match="hull"):
             holder.first_contact(hull)
-        with pytest.raises(ValueError, match="hull"):
-            both.with_contact("open")
+        touching = sc.BoxStream(np.array([[-1, -1, -1, 0, 9, 9], [0, 0, 0, 1, 1, 1]], np.float32))
+        np.testing.assert_array_equal(touching.cull(both), [[True, True]] * 3)
+        opened = both.with_contact("open")
+        np.testing.assert_array_equal(opened.open_contact, [True] * 3)
+        np.testing.assert_array_equal(touching.cull(opened), [[False, True]] * 3)
     np.testing.assert_array_equal(hull.box, [0, 0, 0, 5, 3, 2])
     np.testing.assert_array_equal(hull.points, corners)
+
+
+def test_hulls_between_two_ends_are_asked_what_blocks_them():
+    p = np.array([[0, 0, 0], [0, 2, 0], [0, 2, 2]], np.float32)
+    q = p + np.array([9, 0, 0], np.float32)
+    hull = sc.ConvexHull.between_polygons(p, q)
+    np.testing.assert_array_equal(hull.points, np.vstack([p, q]))
+    walls = sc.BoxTree(np.array([[4, -9, -9, 5, 9, 9], [4, 1, 1, 5, 9, 9], [40, -9, -9, 41, 9, 9]], np.float32))
+    assert walls.occluded(hull) and walls.list_occluders(hull).tolist() == [0] and walls.find_occluder(hull) == 0
+    leaning = np.array([[4, -9, -9], [5, 9, -9], [5, 9, 9], [4, -9, 9]], np.float32)
+    assert sc.Shafts.concatenate([hull]).occluded_by_polygon(leaning).tolist() == [True]
+    with pytest.raises(ValueError, match="between_polygons"):
+        walls.occluded(sc.ConvexHull(p))
+    with pytest.raises(ValueError, match="q has no corner"):
+        sc.ConvexHull.between_polygons(p, np.zeros((0, 3), np.float32))
 
 
 def test_shafts_keep_the_hulls_that_they_were_made_of():
@@ -332,8 +350,10 @@ def test_bad_triangles_are_refused():
     tree = sc.TriangleTree(some_triangles(19, 10))
     hull = sc.ConvexHull(CUBE)
     assert tree.cull(hull, triangle_test="vertices").shape == (10,)
-    with pytest.raises(ValueError, match="ask it with triangle_test='vertices'$"):
-        tree.cull(hull)
+    inside, beside = [[0.2, 0.2, 0.2], [0.4, 0.2, 0.2], [0.2, 0.4, 0.2]], [[1.6, 0.8, 0], [0.8, 1.6, 0], [1.6, 1.6, 0]]
+    two = sc.TriangleTree(np.array([inside, beside], np.float32))
+    assert two.cull(hull).tolist() == [True, False]
+    assert two.cull(hull, triangle_test="vertices").tolist() == [True, True]
     with pytest.raises(ValueError, match="triangle_test is 'loose'; it must be 'exact' or 'vertices'"):
         tree.cull(hull, triangle_test="loose")
     with pytest.raises(ValueError, match="copies nothing"):

@@ -3,7 +3,7 @@
 import {checkOptions} from './arguments.js';
 import {made, withHandles} from './held.js';
 import {bitWords, optionsOfMany, optionsOfOne, queryOf} from './query.js';
-import {allShafts, oneShaft, usualTest} from './shafts.js';
+import {allShafts, oneShaft} from './shafts.js';
 
 const words32 = (bits) => Math.ceil(bits / 32);
 
@@ -21,16 +21,14 @@ class Asked {
   #range;
   #count;
   #options;
-  #test;
 
   /** The range is the handle of an array of shafts, the first shaft and their number. */
-  constructor(bounds, range, options, test) {
+  constructor(bounds, range, options) {
     this.#bounds = bounds;
     this.#module = bounds.module;
     this.#range = range;
     this.#count = Number(range[2]);
     this.#options = options;
-    this.#test = test;
   }
 
   /** For each output of the query an array of rows of bits, one bit per bound, one row per shaft. */
@@ -115,7 +113,7 @@ class Asked {
   #call(query, shafts, ...values) {
     const [module, bounds] = [this.#module, this.#bounds];
     module.scratch((scratch) => {
-      const options = queryOf(scratch, this.#options, this.#count, bounds.length, this.#test);
+      const options = queryOf(scratch, this.#options, this.#count, bounds.length);
       module.call(query, ...shafts, bounds.handle, options, ...values);
     });
   }
@@ -124,11 +122,11 @@ class Asked {
 /** A query about one shaft or hull. */
 export function one(bounds, shaft, options = {}) {
   checkOptions(options, optionsOfOne);
-  return new Asked(bounds, [...oneShaft(bounds.module, shaft, options.at), 1n], options, usualTest(shaft, bounds.kind));
+  return new Asked(bounds, [...oneShaft(bounds.module, shaft, options.at), 1n], options);
 }
 
 /** A query about all shafts of an array. */
 export function many(bounds, shafts, options = {}) {
   checkOptions(options, optionsOfMany);
-  return new Asked(bounds, allShafts(bounds.module, shafts), options, 'exact');
+  return new Asked(bounds, allShafts(bounds.module, shafts), options);
 }

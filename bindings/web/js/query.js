@@ -49,14 +49,11 @@ function arrayOf(name, value, shafts, bounds) {
   return asIndices(value, name);
 }
 
-/**
- * The query of these options, or NULL if there are none, for so many shafts and bounds. Triangles are tested by
- * `usualTest` if the options do not say how.
- */
-export function queryOf(scratch, options, shafts, bounds, usualTest) {
+/** The query of these options, or NULL if there are none, for so many shafts and bounds. */
+export function queryOf(scratch, options, shafts, bounds) {
   const given = Object.entries(arrays).filter(([name]) => options[name] !== undefined);
   const limit = options.limit === undefined ? 0 : asInteger(options.limit, 1, 'limit');
-  const test = asTriangleTest(options.triangleTest ?? usualTest);
+  const test = asTriangleTest(options.triangleTest ?? 'exact');
   const skip = asBoolean(options.skipOverlapping ?? false, 'skipOverlapping') ? 1 : 0;
   if (given.length === 0 && limit === 0 && test === 0 && skip === 0) return 0;
   const query = {limit, triangle_test: test, skip_overlapping: skip};

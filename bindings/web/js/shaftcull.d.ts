@@ -126,12 +126,16 @@ export interface Shaftcull {
     pairs?: ArrayLike<number>, reach?: number, planesLights?: Floats, planesOccluders?: Floats,
   }): Shafts;
   /**
-   * Copies of all shafts of these parts, one behind the other, so that one query asks them all. Queries about triangles
-   * need `triangleTest: 'vertices'` if there is a hull among them.
+   * Copies of all shafts of these parts, one behind the other, so that one query asks them all.
    */
   concatenate(parts: readonly Volume[]): Shafts;
   /** The convex hull of points, and of what lies from them along directions; at most 32 of both, 3 floats each. */
   hull(points: Floats, directions?: Floats, options?: {test?: HullTest}): Hull;
+  /**
+   * The convex hull of two ends: polygons, turned boxes or others, each the convex hull of its corners, 3 floats each.
+   * Questions about occluders take it: what hides one end from the other.
+   */
+  betweenPolygons(p: Floats, q: Floats, options?: {test?: HullTest}): Hull;
   /**
    * What a view-projection matrix shows: 16 floats in the order of WebGL and three.js, column after column. Without a
    * far plane it has no end.
@@ -194,10 +198,7 @@ export interface Volume extends Held {
   keeps(bound: Floats, options?: {at?: number, triangleTest?: TriangleTest}): boolean;
 }
 
-/**
- * A convex hull: it goes wherever one shaft goes. Triangles are compared with it by their vertices, which keeps some
- * that are outside.
- */
+/** A convex hull: it goes wherever one shaft goes. */
 export interface Hull extends Volume {
   /** 3 floats each, as they were given. */
   readonly points: Float32Array;
@@ -214,7 +215,10 @@ export interface Shafts extends Volume {
    * points out, and the offset. For shafts between two boxes.
    */
   joiningPlanes(options?: {at?: number}): Float32Array;
-  /** Chooses for all shafts whether bounds that only touch them are kept. Refuses hulls. */
+  /**
+   * Chooses for all shafts whether bounds that only touch them are kept. Of a hull, choose it for
+   * `concatenate([hull])`.
+   */
   setContact(contact: Contact): void;
   /** Chooses the form of all shafts. Answers stay the same. Hulls have one form, and stay as they are. */
   setForm(form: Form): void;
@@ -378,13 +382,13 @@ export interface SphereBounds extends Bounds {
 /** Boxes can be asked as solids, too. */
 export interface BoxBounds extends SphereBounds {
   /** Whether one of the solids alone hides one end of the shaft from the other. For shafts between two boxes. */
-  occluded(shaft: Shafts, options?: Omit<AskOptions, 'limit' | 'only'>): boolean;
+  occluded(shaft: Volume, options?: Omit<AskOptions, 'limit' | 'only'>): boolean;
   /** Bit s % 32 of word s / 32 says it of shaft s. */
   occludedMany(shafts: Shafts, options?: Omit<AskManyOptions, 'limit' | 'only'>): Uint32Array;
   /** One such solid: in a stream the one of lowest index, in a tree the first in its order. */
-  findOccluder(shaft: Shafts, options?: Omit<AskOptions, 'limit' | 'only'>): number | undefined;
+  findOccluder(shaft: Volume, options?: Omit<AskOptions, 'limit' | 'only'>): number | undefined;
   /** All such solids; with `limit` the first of them. */
-  listOccluders(shaft: Shafts, options?: Omit<AskOptions, 'only'>): Uint32Array;
+  listOccluders(shaft: Volume, options?: Omit<AskOptions, 'only'>): Uint32Array;
   listOccludersMany(shafts: Shafts, options?: Omit<AskManyOptions, 'only'>): Lists;
 }
 

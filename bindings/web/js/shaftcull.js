@@ -127,6 +127,10 @@ class Shaftcull {
     return shafts.hull(this.#module, points, directions, options);
   }
 
+  betweenPolygons(p, q, options) {
+    return shafts.betweenPolygons(this.#module, p, q, options);
+  }
+
   frustum(matrix, depth, options) {
     return shafts.frustum(this.#module, matrix, depth, options);
   }

@@ -16,7 +16,7 @@ class Volume extends Held {
     checkOptions(options, ['at', 'triangleTest']);
     const floats = asFloats(bound, 1, 'bound');
     const {name, constant} = kindOf(floats);
-    const test = asTriangleTest(options.triangleTest ?? usualTest(this, name));
+    const test = asTriangleTest(options.triangleTest ?? 'exact');
     const values = (scratch) => [constant, scratch.copy(floats), test];
     return answers[askOne(this, options.at, 'shaftcull_classify_one', values)];
   }
@@ -149,9 +149,6 @@ export function allShafts(module, shafts) {
   if (!(shafts instanceof Shafts)) throw new TypeError('shafts are made by between(), swept() or shadow()');
   return [ofModule(module, shafts, 'the shafts').handle, 0n, BigInt(shafts.length)];
 }
-
-/** How a volume tests bounds of a kind if the options do not say it: a hull knows no other test of triangles. */
-export const usualTest = (volume, kind) => (kind === 'triangles' && volume instanceof Hull ? 'vertices' : 'exact');
 
 /** Refuses an object of another module, whose handle means something else here. */
 function ofModule(module, held, name) {
@@ -308,7 +305,15 @@ function hullTest(options) {
 export function hull(module, points, directions = [], options = {}) {
   const [from, along] = [asFloats(points, 3, 'points'), asFloats(directions, 3, 'directions')];
   return module.scratch((scratch) => new Hull(module, made(module, 'shaftcull_hull_create', scratch.copy(from),
-      BigInt(from.length / 3), scratch.copy(along), BigInt(along.length / 3), hullTest(options))));
+      BigInt(from.length / 3), 0n, scratch.copy(along), BigInt(along.length / 3), hullTest(options))));
+}
+
+export function betweenPolygons(module, p, q, options = {}) {
+  const [first, second] = [asFloats(p, 3, 'p'), asFloats(q, 3, 'q')];
+  if (first.length === 0) throw new RangeError('p has no corner');
+  const both = Float32Array.of(...first, ...second);
+  return module.scratch((scratch) => new Hull(module, made(module, 'shaftcull_hull_create', scratch.copy(both),
+      BigInt(both.length / 3), BigInt(first.length / 3), scratch.copy([]), 0n, hullTest(options))));
 }
 
 export function frustum(module, matrix, depth, options = {}) {

@@ -7,8 +7,10 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
 #include "exact/blocking.hpp"
+#include "kernels/boxes/slab_stages.hpp"
 #include "kernels/kernel_table.hpp"
 #include "kernels/shared/two_axes.hpp"
 #include "kernels/shared/word.hpp"
@@ -202,10 +204,51 @@ void blocking_words(const ShaftData& shaft, const float* const* stream, const Wo
   }
 }
 
+/// Bits of the boxes of a word that may block a hull between two ends: those that reach across it on each axis, and
+/// meet the middle of the ends.
+template <class L, class Word>
+[[nodiscard]] std::uint64_t may_block_hull(const HullData& hull, const float* const* stream, std::size_t at,
+                                           const Word& word) noexcept {
+  std::uint64_t across = 0;
+  for (unsigned lane = 0; lane < word.bounds; lane += L::width) {
+    const auto on_axis = [&](unsigned k) {
+      return L::both(L::less_equal(word.load(stream[k], at, lane), L::all(hull.across[k])),
+                     L::less_equal(L::all(hull.across[k + 3]), word.load(stream[k + 3], at, lane)));
+    };
+    across |= L::bits(L::both(on_axis(0), L::both(on_axis(1), on_axis(2)))) << lane;
+  }
+  across &= word.lanes();
+  if (across == 0) return 0;
+  constexpr bool is_whole = std::is_same_v<Word, WholeWord<L>>;
+  ConsecutiveWords<L> position{.first = at};
+  if constexpr (!is_whole) position.rest = word.bounds;
+  std::uint64_t kept = 0;
+  box_slab_stage<L>(*hull.middle, stream, is_whole ? 1 : 0, &kept, position);
+  return across & kept;
+}
+
+/// Writes the bits of words of boxes that block a hull between two ends, or of nodes that may hold such boxes.
+template <class L, OcclusionQuestion question, class Words>
+SHAFTCULL_NOINLINE void hull_blocking_words(const ShaftData& shaft, const float* const* stream, const Words& position,
+                                            std::size_t words, std::uint64_t* blocking) noexcept {
+  const auto bits = [&](std::size_t at, const auto& word) {
+    const std::uint64_t may = may_block_hull<L>(*shaft.hull, stream, at, word);
+    if (question == OcclusionQuestion::nodes || may == 0) return may;
+    return decide_lanes<L>(may,
+                           [&](unsigned lane) { return box_blocks(shaft, BoundAt<L, 6>(stream, at + lane).value); });
+  };
+  for (std::size_t w = 0; w < words; ++w) blocking[w] = bits(position(w), WholeWord<L>{});
+  if constexpr (requires { position.rest; }) {
+    if (position.rest != 0) blocking[words] = bits(position(words), PartialWord<L>{position.rest});
+  }
+}
+
 /// Likewise, of boxes.
 template <class L, class Words>
 void blocking_boxes(const ShaftData& shaft, const float* const* stream, const Words& position, std::size_t words,
                     std::uint64_t* blocking) noexcept {
+  if (shaft.is_hull()) [[unlikely]]
+    return hull_blocking_words<L, OcclusionQuestion::boxes>(shaft, stream, position, words, blocking);
   if (is_in_a_plane<L>(shaft)) {
     blocking_words<L, OcclusionQuestion::boxes_in_a_plane>(shaft, stream, position, words, blocking);
   } else {
@@ -233,6 +276,8 @@ template <class L>
 void test_blocking_nodes(const ShaftData& shaft, const float* const* stream, const std::uint32_t* word,
                          std::size_t words, std::uint64_t* blocking, std::uint64_t* /*inside*/,
                          unsigned /*least_kept*/) noexcept {
+  if (shaft.is_hull()) [[unlikely]]
+    return hull_blocking_words<L, OcclusionQuestion::nodes>(shaft, stream, ListedWords<L>{word}, words, blocking);
   blocking_words<L, OcclusionQuestion::nodes>(shaft, stream, ListedWords<L>{word}, words, blocking);
 }
 

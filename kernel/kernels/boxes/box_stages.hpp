@@ -32,7 +32,7 @@ struct BoxStages {
   static void cull(const ShaftData& shaft, const float* const* stream, std::size_t count,
                    std::uint64_t* kept) noexcept {
     if (shaft.is_hull()) [[unlikely]]
-      return HullStages<L>::cull_boxes(*shaft.hull, stream, count, kept);
+      return HullStages<L>::cull_boxes(shaft, stream, count, kept);
     if (shaft.form == Form::planes) [[unlikely]]
       return cull_by_planes(shaft, stream, count, kept);
     if constexpr (L::EightFloats::in_one_register) {

@@ -115,18 +115,18 @@ void first_hull_stage(const HullData& hull, const float* const* stream, std::siz
   hull_faces_stage<L>(hull, stream, words, kept, position);
 }
 
-/// Which boxes of some vectors are beyond the hull's box, an edge or another face, or empty. Returns the lanes that are
-/// undecided, too.
-template <class L, bool bounded, unsigned vectors>
+/// Which boxes of some vectors are beyond the hull's box, an edge or another face, or empty; if the first stage has not
+/// been there, also those that it finds. Returns the lanes that are undecided, too.
+template <class L, bool bounded, unsigned vectors, bool of_both_stages = false>
 SHAFTCULL_ALWAYS_INLINE [[nodiscard]] inline std::uint64_t hull_edges_vectors(const HullData& hull,
                                                                               const float* const* stream,
                                                                               std::size_t at,
                                                                               std::uint64_t& beyond) noexcept {
   const auto zero = L::all(0.0F);
   HullDepths<L, vectors, bounded> depths;
-  depths.template add_boxes<3, HullCorner::near>(hull, hull.apart, hull.faces, stream, at);
-  depths.template add_boxes<2, HullCorner::near>(hull, hull.faces + hull.face_edges, hull.faces + hull.edges, stream,
-                                                 at);
+  depths.template add_boxes<3, HullCorner::near>(hull, of_both_stages ? 0 : hull.apart, hull.faces, stream, at);
+  depths.template add_boxes<2, HullCorner::near>(hull, hull.faces + (of_both_stages ? 0 : hull.face_edges),
+                                                 hull.faces + hull.edges, stream, at);
   std::uint64_t undecided = 0;
   for (unsigned v = 0; v < vectors; ++v) {
     const std::size_t first = at + v * L::width;
@@ -178,6 +178,55 @@ void hull_edges_stage(const HullData& hull, const float* const* stream, std::siz
       kept[w] &= ~hull_outside_by_predicate<L>(hull, stream, w * word_bits, undecided);
     }
   }
+}
+
+/// Most boxes that are tested by both stages at once: so few that lanes of a word would be idle.
+template <class L>
+inline constexpr std::size_t few_boxes_of_hull = 2 * std::size_t{L::width};
+
+/// Bits of the boxes of some vectors that meet the hull's box, if they do, in a face of it alone.
+template <class L, unsigned vectors>
+[[nodiscard]] std::uint64_t touching_hull_box(const HullData& hull, const float* const* stream,
+                                              std::size_t at) noexcept {
+  std::uint64_t touching = 0;
+  for (unsigned v = 0; v < vectors; ++v) {
+    const std::size_t first = at + v * L::width;
+    const auto touches = [&](unsigned k) {
+      return L::either(L::less_equal(L::load(stream[k + 3] + first), L::all(hull.box[k])),
+                       L::less_equal(L::all(hull.box[k + 3]), L::load(stream[k] + first)));
+    };
+    touching |= L::bits(L::either(touches(0), L::either(touches(1), touches(2)))) << v * L::width;
+  }
+  return touching;
+}
+
+/// Writes the kept bits of `count` boxes, at most so many.
+template <class L, Contact contact>
+void few_boxes_stage(const HullData& hull, const float* const* stream, std::size_t count,
+                     std::uint64_t* kept) noexcept {
+  constexpr unsigned vectors = 2;
+  constexpr unsigned streams = 6;
+  alignas(64) float bound[streams][few_boxes_of_hull<L>];
+  const float* few[streams];
+  const PartialWord<L> word{static_cast<unsigned>(count)};
+  for (unsigned s = 0; s < streams; ++s) {
+    for (unsigned v = 0; v < vectors; ++v) {
+      L::store(&bound[s][v * L::width], word.load(stream[s], 0, std::size_t{v} * L::width));
+    }
+    few[s] = bound[s];
+  }
+  std::uint64_t beyond = 0;
+  std::uint64_t undecided = hull.is_bounded ? hull_edges_vectors<L, true, vectors, true>(hull, few, 0, beyond)
+                                            : hull_edges_vectors<L, false, vectors, true>(hull, few, 0, beyond);
+  *kept = word.lanes() & ~beyond;
+  if constexpr (contact == Contact::open) undecided |= touching_hull_box<L, vectors>(hull, few, 0);
+  undecided &= *kept;
+  if (undecided == 0) [[likely]]
+    return;
+  *kept &= ~decide_lanes<L>(undecided, [&](unsigned lane) {
+    const BoundAt<L, streams> box(few, lane);
+    return contact == Contact::open ? hull_box_outside_openly(hull, box.value) : hull_box_outside(hull, box.value);
+  });
 }
 
 /// Clears the bits of boxes that are not inside the hull.

@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "compiled/hull_data.hpp"
+#include "compiled/shaft_data.hpp"
 #include "exact/convex_hull.hpp"
 #include "kernels/hulls/hull_depths.hpp"
 #include "kernels/hulls/hull_stages.hpp"
@@ -47,6 +48,13 @@ struct BoxInBox {
   bool meets;
   bool is_within;
 };
+
+/// Whether a box that meets the box around a hull touches a face of it, and reaches no further.
+[[nodiscard]] inline bool touches_box(const float* box, const float (&around)[6]) noexcept {
+  bool touches = false;
+  for (unsigned k = 0; k < 3; ++k) touches = touches | (box[k + 3] <= around[k]) | (box[k] >= around[k + 3]);
+  return touches;
+}
 
 template <class L>
 [[nodiscard]] BoxInBox box_in_box(const float* box, const float (&around)[6]) noexcept {
@@ -195,26 +203,32 @@ SHAFTCULL_COLD bool decide_one(const HullData& hull, const float* bound,
 }
 
 /// What a hull says of one usual box. Unless `classifies`, boxes that are inside overlap.
-template <class L, bool bounded, bool classifies>
+template <class L, bool bounded, bool classifies, Contact contact>
 [[nodiscard]] Answer answer_one_box(const HullData& hull, const float* box, bool is_within) noexcept {
   DepthLanes<L> near;
   DepthLanes<L> far;
   add_one_box<L, bounded, classifies>(hull, box, near, far);
   if (near.any_beyond()) return Answer::outside;
-  if (!near.all_behind() && decide_one<L>(hull, box, hull_box_outside)) return Answer::outside;
+  if constexpr (contact == Contact::open) {
+    if ((!near.all_behind() || touches_box(box, hull.box)) && decide_one<L>(hull, box, hull_box_outside_openly))
+      return Answer::outside;
+  } else if (!near.all_behind() && decide_one<L>(hull, box, hull_box_outside)) {
+    return Answer::outside;
+  }
   if (!classifies || !is_within || far.any_beyond()) return Answer::overlap;
   return far.all_behind() || decide_one<L>(hull, box, hull_box_inside) ? Answer::inside : Answer::overlap;
 }
 
 /// Likewise of one usual sphere.
-template <class L, bool bounded, bool classifies>
+template <class L, bool bounded, bool classifies, Contact contact>
 [[nodiscard]] Answer answer_one_sphere(const HullData& hull, const float* sphere, const SphereInBox& in_box) noexcept {
   DepthLanes<L> outside;
   DepthLanes<L> inside;
   add_one_sphere<L, bounded, classifies>(hull, sphere, outside, inside);
   if (outside.any_beyond()) return Answer::outside;
   const bool is_kept = in_box.is_surely_not_beyond && outside.all_behind();
-  if (!is_kept && decide_one<L>(hull, sphere, hull_sphere_outside)) return Answer::outside;
+  constexpr auto is_outside = contact == Contact::open ? hull_sphere_outside_openly : hull_sphere_outside;
+  if (!is_kept && decide_one<L>(hull, sphere, is_outside)) return Answer::outside;
   if (!classifies || in_box.leaves || inside.any_beyond()) return Answer::overlap;
   const bool is_inside = in_box.is_surely_within && inside.all_behind();
   return is_inside || decide_one<L>(hull, sphere, hull_sphere_inside) ? Answer::inside : Answer::overlap;
@@ -233,68 +247,104 @@ template <class L, unsigned streams, class Cull, class FindInside>
 }
 
 template <class L>
-SHAFTCULL_NOINLINE Answer answer_box_by_stages(const HullData& hull, const float* box) noexcept {
+SHAFTCULL_NOINLINE Answer answer_box_by_stages(const HullData& hull, Contact contact, const float* box) noexcept {
   return answer_by_stages<L, 6>(
-      box, [&](const float* const* stream, std::uint64_t* bits) { HullStages<L>::cull_boxes(hull, stream, 1, bits); },
+      box,
+      [&](const float* const* stream, std::uint64_t* bits) {
+        if (contact == Contact::open) return HullStages<L>::cull_boxes_openly(hull, stream, 1, bits);
+        HullStages<L>::cull_boxes(hull, stream, 1, bits);
+      },
       [&](const float* const* stream, std::uint64_t* bits) {
         HullStages<L>::find_boxes_inside(hull, stream, 1, bits);
       });
 }
 
 template <class L>
-SHAFTCULL_NOINLINE Answer answer_sphere_by_stages(const HullData& hull, const float* sphere) noexcept {
+SHAFTCULL_NOINLINE Answer answer_sphere_by_stages(const HullData& hull, Contact contact, const float* sphere) noexcept {
   return answer_by_stages<L, 4>(
       sphere,
-      [&](const float* const* stream, std::uint64_t* bits) { HullStages<L>::cull_spheres(hull, stream, 1, bits); },
+      [&](const float* const* stream, std::uint64_t* bits) {
+        HullStages<L>::cull_spheres(hull, contact, stream, 1, bits);
+      },
       [&](const float* const* stream, std::uint64_t* bits) {
         HullStages<L>::find_spheres_inside(hull, stream, 1, bits);
       });
 }
 
 /// What a hull says of any box. Unless `classifies`, `inside` may be answered as `overlap`.
-template <class L, bool classifies>
+template <class L, bool classifies, Contact contact>
 SHAFTCULL_ALWAYS_INLINE [[nodiscard]] inline Answer answer_of_hull_for_box(const HullData& hull,
                                                                            const float* box) noexcept {
   const BoxInBox in_box = box_in_box<L>(box, hull.box);
   if (!in_box.is_usual || !hull.suits_floats) [[unlikely]]
-    return answer_box_by_stages<L>(hull, box);
+    return answer_box_by_stages<L>(hull, contact, box);
   if (!in_box.meets && hull.culls_by_box) return Answer::outside;
-  return hull.is_bounded ? answer_one_box<L, true, classifies>(hull, box, in_box.is_within)
-                         : answer_one_box<L, false, classifies>(hull, box, in_box.is_within);
+  return hull.is_bounded ? answer_one_box<L, true, classifies, contact>(hull, box, in_box.is_within)
+                         : answer_one_box<L, false, classifies, contact>(hull, box, in_box.is_within);
 }
 
 /// Likewise of any sphere.
-template <class L, bool classifies>
+template <class L, bool classifies, Contact contact>
 SHAFTCULL_ALWAYS_INLINE [[nodiscard]] inline Answer answer_of_hull_for_sphere(const HullData& hull,
                                                                               const float* sphere) noexcept {
   const SphereInBox in_box = sphere_in_box<L>(sphere, hull);
   if (!in_box.is_usual || !hull.suits_floats) [[unlikely]]
-    return answer_sphere_by_stages<L>(hull, sphere);
+    return answer_sphere_by_stages<L>(hull, contact, sphere);
   if (in_box.is_beyond) return Answer::outside;
-  return hull.is_bounded ? answer_one_sphere<L, true, classifies>(hull, sphere, in_box)
-                         : answer_one_sphere<L, false, classifies>(hull, sphere, in_box);
+  return hull.is_bounded ? answer_one_sphere<L, true, classifies, contact>(hull, sphere, in_box)
+                         : answer_one_sphere<L, false, classifies, contact>(hull, sphere, in_box);
 }
 
 // Not inlined, so that their registers are not saved for other shafts.
 
 template <class L>
 SHAFTCULL_NOINLINE bool hull_keeps_box(const HullData& hull, const float* box) noexcept {
-  return answer_of_hull_for_box<L, false>(hull, box) != Answer::outside;
+  return answer_of_hull_for_box<L, false, Contact::closed>(hull, box) != Answer::outside;
 }
 
 template <class L>
 SHAFTCULL_NOINLINE bool hull_keeps_sphere(const HullData& hull, const float* sphere) noexcept {
-  return answer_of_hull_for_sphere<L, false>(hull, sphere) != Answer::outside;
+  return answer_of_hull_for_sphere<L, false, Contact::closed>(hull, sphere) != Answer::outside;
 }
 
-template <class L>
+template <class L, Contact contact>
 SHAFTCULL_NOINLINE Answer classify_box_by_hull(const HullData& hull, const float* box) noexcept {
-  return answer_of_hull_for_box<L, true>(hull, box);
+  return answer_of_hull_for_box<L, true, contact>(hull, box);
+}
+
+template <class L, Contact contact>
+SHAFTCULL_NOINLINE Answer classify_sphere_by_hull(const HullData& hull, const float* sphere) noexcept {
+  return answer_of_hull_for_sphere<L, true, contact>(hull, sphere);
+}
+
+// The same for shafts of hulls, with any contact.
+
+template <class L>
+bool keeps_box_by_hull(const ShaftData& shaft, const float* box) noexcept {
+  if (shaft.is_open_hull()) [[unlikely]]
+    return classify_box_by_hull<L, Contact::open>(*shaft.hull, box) != Answer::outside;
+  return hull_keeps_box<L>(*shaft.hull, box);
 }
 
 template <class L>
-SHAFTCULL_NOINLINE Answer classify_sphere_by_hull(const HullData& hull, const float* sphere) noexcept {
-  return answer_of_hull_for_sphere<L, true>(hull, sphere);
+bool keeps_sphere_by_hull(const ShaftData& shaft, const float* sphere) noexcept {
+  if (shaft.is_open_hull()) [[unlikely]]
+    return classify_sphere_by_hull<L, Contact::open>(*shaft.hull, sphere) != Answer::outside;
+  return hull_keeps_sphere<L>(*shaft.hull, sphere);
+}
+
+template <class L>
+Answer classify_box_by_hull(const ShaftData& shaft, const float* box) noexcept {
+  if (shaft.is_open_hull()) [[unlikely]]
+    return classify_box_by_hull<L, Contact::open>(*shaft.hull, box);
+  return classify_box_by_hull<L, Contact::closed>(*shaft.hull, box);
+}
+
+template <class L>
+Answer classify_sphere_by_hull(const ShaftData& shaft, const float* sphere) noexcept {
+  if (shaft.is_open_hull()) [[unlikely]]
+    return classify_sphere_by_hull<L, Contact::open>(*shaft.hull, sphere);
+  return classify_sphere_by_hull<L, Contact::closed>(*shaft.hull, sphere);
 }
 
 }  // namespace shaftcull::kernel

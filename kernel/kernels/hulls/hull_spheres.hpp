@@ -61,9 +61,10 @@ template <class L, bool bounded, bool inside>
   return {L::bits(L::either(beyond, is_negative)), L::bits(behind)};
 }
 
-/// Clears the bits of spheres that are outside the hull, or of those that are not inside.
+/// Clears the bits of spheres that are outside the hull, or of those that are not inside. What touches is undecided, so
+/// contact matters there alone.
 template <class L, bool inside>
-void hull_spheres_stage(const HullData& hull, const float* const* stream, std::size_t words,
+void hull_spheres_stage(const HullData& hull, Contact contact, const float* const* stream, std::size_t words,
                         std::uint64_t* bits) noexcept {
   for (std::size_t w = 0; w < words; ++w) {
     std::uint64_t yes = 0;
@@ -79,7 +80,9 @@ void hull_spheres_stage(const HullData& hull, const float* const* stream, std::s
     if (undecided != 0) {
       const std::uint64_t decided = decide_lanes<L>(undecided, [&](unsigned lane) {
         const BoundAt<L, 4> sphere(stream, w * word_bits + lane);
-        return inside ? hull_sphere_inside(hull, sphere.value) : hull_sphere_outside(hull, sphere.value);
+        if (inside) return hull_sphere_inside(hull, sphere.value);
+        return contact == Contact::open ? hull_sphere_outside_openly(hull, sphere.value)
+                                        : hull_sphere_outside(hull, sphere.value);
       });
       bits[w] &= inside ? yes | decided : ~decided;
     }

@@ -127,28 +127,28 @@ bool keeps_box(const ShaftData& shaft, const float* box) noexcept {
   if (const int keeps = keeps_by_lanes<L>(shaft, box); keeps >= 0) [[likely]]
     return keeps != 0;
   if (shaft.is_hull()) [[unlikely]]
-    return hull_keeps_box<L>(*shaft.hull, box);
+    return keeps_box_by_hull<L>(shaft, box);
   return keeps_single<L, BoxStages<L>>(shaft, box);
 }
 
 template <class L>
 bool keeps_sphere(const ShaftData& shaft, const float* sphere) noexcept {
   if (shaft.is_hull()) [[unlikely]]
-    return hull_keeps_sphere<L>(*shaft.hull, sphere);
+    return keeps_sphere_by_hull<L>(shaft, sphere);
   return keeps_single<L, UnboxedSphereStages<L>>(shaft, sphere);
 }
 
 template <class L>
 Answer classify_box(const ShaftData& shaft, const float* box) noexcept {
   if (shaft.is_hull()) [[unlikely]]
-    return classify_box_by_hull<L>(*shaft.hull, box);
+    return classify_box_by_hull<L>(shaft, box);
   return keeps_box<L>(shaft, box) ? classify_kept<L, BoxStages<L>>(shaft, box) : Answer::outside;
 }
 
 template <class L>
 Answer classify_sphere(const ShaftData& shaft, const float* sphere) noexcept {
   if (shaft.is_hull()) [[unlikely]]
-    return classify_sphere_by_hull<L>(*shaft.hull, sphere);
+    return classify_sphere_by_hull<L>(shaft, sphere);
   return keeps_sphere<L>(shaft, sphere) ? classify_kept<L, UnboxedSphereStages<L>>(shaft, sphere) : Answer::outside;
 }
 

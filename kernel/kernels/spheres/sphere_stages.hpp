@@ -25,7 +25,7 @@ struct SphereStages {
                    std::uint64_t* kept) noexcept {
     if (shaft.is_hull()) [[unlikely]] {
       copy_or_set<L>(nullptr, count, kept);
-      return HullStages<L>::cull_spheres(*shaft.hull, stream, count, kept);
+      return HullStages<L>::cull_spheres(*shaft.hull, shaft.contact, stream, count, kept);
     }
     begin_in_whole_words<L>(stream, count, kept, padding_sphere,
                             [&](const float* const* all, std::size_t words, std::uint64_t* bits) {

@@ -43,13 +43,22 @@ void run_on_listed_survivors(const float* const* stream, const std::uint32_t* wo
 
 /// As HullStages::cull_boxes, for words of a list; not inlined for the same reason.
 template <class L>
-SHAFTCULL_NOINLINE void cull_listed_by_hull(const HullData& hull, const float* const* stream, const std::uint32_t* word,
-                                            std::size_t words, std::uint64_t* kept) noexcept {
+SHAFTCULL_NOINLINE void cull_listed_by_hull(const ShaftData& shaft, const float* const* stream,
+                                            const std::uint32_t* word, std::size_t words,
+                                            std::uint64_t* kept) noexcept {
+  const HullData& hull = *shaft.hull;
   first_hull_stage<L>(hull, stream, words, kept, ListedWords<L>{word});
-  if (has_one_stage(hull)) return;
-  run_on_listed_survivors<L, 6>(
-      stream, word, words, kept,
-      [&](const float* const* some, std::size_t n, std::uint64_t* bits) { hull_edges_stage<L>(hull, some, n, bits); });
+  if (!has_one_stage(hull)) {
+    run_on_listed_survivors<L, 6>(stream, word, words, kept,
+                                  [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
+                                    hull_edges_stage<L>(hull, some, n, bits);
+                                  });
+  }
+  if (!shaft.is_open_hull()) [[likely]]
+    return;
+  for_each_word<L, 6>(stream, word, words, kept, 1, [&](const float* const* at, std::size_t i) {
+    HullStages<L>::cull_touching_boxes(hull, at, word_bits, kept + i);
+  });
 }
 
 /// As Stages::cull, for words of a list.
@@ -59,7 +68,7 @@ void cull_listed_words(const ShaftData& shaft, const float* const* stream, const
   const ListedWords<L> position{word};
   if constexpr (Stages::streams == 6) {
     if (shaft.is_hull()) [[unlikely]]
-      return cull_listed_by_hull<L>(*shaft.hull, stream, word, words, kept);
+      return cull_listed_by_hull<L>(shaft, stream, word, words, kept);
   }
   if (Stages::needs_planes(shaft)) {
     for (std::size_t i = 0; i < words; ++i) {

@@ -9,6 +9,7 @@
 #include "kernels/boxes/box_contact.hpp"
 #include "kernels/boxes/slab_stages.hpp"
 #include "kernels/hulls/hull_stages.hpp"
+#include "kernels/hulls/hull_triangles.hpp"
 #include "kernels/shared/survivors.hpp"
 #include "kernels/shared/word.hpp"
 #include "kernels/triangles/boxes_around_triangles.hpp"
@@ -164,7 +165,7 @@ SHAFTCULL_NOINLINE void cull_boxes_around(const ShaftData& shaft, const float* c
   const float* boxes[6];
   for (unsigned s = 0; s < 6; ++s) boxes[s] = box[s];
   if (shaft.is_hull()) [[unlikely]]
-    return HullStages<L>::cull_boxes(*shaft.hull, boxes, count, kept);
+    return HullStages<L>::cull_boxes(shaft, boxes, count, kept);
   const ConsecutiveWords<L> position{.rest = static_cast<unsigned>(count % word_bits)};
   box_slab_stage<L>(shaft, boxes, count / word_bits, kept, position);
   if (shaft.still_faces != 0) [[unlikely]]
@@ -205,6 +206,7 @@ SHAFTCULL_NOINLINE void clear_those_with_a_vertex_in(const ShaftData& shaft, con
         return vertex_in_shaft_stage<L, endless>;
       case exact:
       case hull:
+      case open_hull:
         return nullptr;
     }
     return nullptr;
@@ -213,6 +215,15 @@ SHAFTCULL_NOINLINE void clear_those_with_a_vertex_in(const ShaftData& shaft, con
   if (stage == nullptr || shaft.still_faces != 0) return;
   run_on_triangles<L>(stream, count, left, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
     stage(shaft, some, n, bits);
+  });
+}
+
+/// The same for a convex hull.
+template <class L>
+SHAFTCULL_NOINLINE void cull_by_planes_of_hull(const ShaftData& shaft, const float* const* stream, std::size_t count,
+                                               std::uint64_t* kept) noexcept {
+  run_on_triangles<L>(stream, count, kept, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
+    hull_triangles_stage<L>(*shaft.hull, shaft.contact, some, n, bits);
   });
 }
 
@@ -242,7 +253,13 @@ void test_triangle_blocks(const ShaftData& shaft, bool exactly, const float* con
     const std::size_t block = count < triangle_block ? count : triangle_block;
     cull_boxes_around<L>(shaft, at, block, kept);
     if (shaft.added_count != 0) cull_by_added_planes<L>(shaft, at, block, kept);
-    if (exactly) cull_by_axes<L>(shaft, at, block, kept);
+    if (exactly) {
+      if (shaft.is_hull()) [[unlikely]] {
+        cull_by_planes_of_hull<L>(shaft, at, block, kept);
+      } else {
+        cull_by_axes<L>(shaft, at, block, kept);
+      }
+    }
     count -= block;
     for (const float*& s : at) s += block;
     kept += words_of(block);
