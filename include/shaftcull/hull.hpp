@@ -102,10 +102,10 @@ class SHAFTCULL_EXPORT ConvexHull {
  private:
   friend SHAFTCULL_EXPORT ConvexHull casters(const ConvexHull& view, const Vec3& light);
   friend SHAFTCULL_EXPORT ConvexHull casters_towards(const ConvexHull& view, const Vec3& towards_sun);
+  friend SHAFTCULL_EXPORT ConvexHull between_polygons(std::span<const Vec3> p, std::span<const Vec3> q, HullTest test);
 
+  /// Of a view and one point or direction more.
   ConvexHull(const ConvexHull& view, const Vec3& light, bool is_direction);
-  friend ConvexHull between_polygons(std::span<const Vec3> p, std::span<const Vec3> q, HullTest test);
-
   /// `first_end` of the points are one of two ends, the others the second; 0 if there are no two.
   ConvexHull(std::span<const Vec3> points, std::span<const Vec3> directions, HullTest test, std::size_t first_end);
   void refer() noexcept;
