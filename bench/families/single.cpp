@@ -2,11 +2,11 @@
 /// single/…: calls for one shaft or one bound, in turn: the times that headers and pages give. An item is a call.
 ///
 /// single/form/WHAT forms a shaft or a hull: `hull_8` and `hull_32` of random points on a sphere, `frustum` from a
-/// matrix, `casters` from a view and a point, `inscribed_box_8` and `_32` within such points; an item of `swept_batch`
-/// and `shadow_batch` is a shaft. single/complete makes the joining planes of a shaft, and single/open_contact changes
-/// its contact. single/ask/WHAT asks shafts of the workload about a bound: a box that is outside, one within the box
-/// around the shaft, for which joining planes are there or pending, or a triangle. single/entry_time/WHAT is an item a
-/// bound.
+/// matrix, `casters` from a view and a point, `between_polygons` of the two ends of a view, `inscribed_box_8` and `_32`
+/// within such points; an item of `swept_batch` and `shadow_batch` is a shaft. single/complete makes the joining planes
+/// of a shaft, and single/open_contact changes its contact. single/ask/WHAT asks shafts of the workload about a bound:
+/// a box that is outside, one within the box around the shaft, for which joining planes are there or pending, or a
+/// triangle. single/entry_time/WHAT is an item a bound.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -148,6 +148,10 @@ void declare_single(Suite& suite, const Workload& workload) {
   add("form/frustum", 1,
       [](const Single& of, std::size_t i) { return frustum(of.matrices[i], ClipDepth::zero_to_one); });
   add("form/casters", 1, [](const Single& of, std::size_t i) { return casters(of.views[i], of.lights[i]); });
+  add("form/between_polygons", 1, [](const Single& of, std::size_t i) {
+    const std::span<const Vec3> corners = of.views[i].points();
+    return between_polygons(corners.first(4), corners.subspan(4));
+  });
   for (const std::size_t count : {8, 32}) {
     add("form/hull_" + std::to_string(count), 1,
         [count](const Single& of, std::size_t i) { return ConvexHull(std::span(of.points).subspan(32 * i, count)); });

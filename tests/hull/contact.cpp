@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "columns.hpp"
@@ -232,6 +233,29 @@ TEST(HullContact, TheWallBehindAPolygonIsOutsideAndASheetOfGlassIsNot) {
       EXPECT_EQ(classify(open, shelf), Answer::inside);
     });
   }
+}
+
+TEST(HullContact, LeavesInTheSurfaceOfANodeThatIsInsideAreOutside) {
+  // A prism with a face aslant, x + y = 2, and points in it along z: the boxes of their nodes are in the hull.
+  std::vector<Vec3> corners;
+  for (const float z : {0.0F, 8.0F}) {
+    for (const auto& [x, y] : {std::pair{0.0F, 2.0F}, {2.0F, 0.0F}, {8.0F, 2.0F}, {2.0F, 8.0F}}) {
+      corners.push_back({x, y, z});
+    }
+  }
+  const ConvexHull hull(corners);
+  const CompiledShaft open = with_contact(hull, Contact::open);
+  std::vector<Box> boxes;
+  for (unsigned i = 0; i != 500; ++i) {
+    const float z = 1 + static_cast<float>(i) / 128;
+    boxes.push_back({{1, 1, z}, {1, 1, z}});
+  }
+  const BoxTree tree{std::span<const Box>(boxes)};
+  on_each_instruction_set([&] {
+    EXPECT_EQ(count(hull, tree), 500U);
+    EXPECT_EQ(count(open, tree), 0U);
+    EXPECT_EQ(count_classified(open, tree), (KeptCounts{0, 0}));
+  });
 }
 
 TEST(HullContact, ManyShaftsOfEitherContactAnswerAsAlone) {
