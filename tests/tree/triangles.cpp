@@ -250,7 +250,7 @@ TEST(TriangleTree, RefusesWhatItCannotUse) {
               testing::HasSubstr("triangle 33: vertex 2 has y = nan; vertices must be finite"));
   const ConvexHull hull(std::vector<Vec3>{{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {0, 0, 3}});
   EXPECT_EQ(count(hull, tree, {.triangle_test = TriangleTest::vertices}), 40U);
-  EXPECT_THAT(message_of([&] { (void)count(hull, tree); }), testing::HasSubstr("shaft 0 is a convex hull"));
+  EXPECT_EQ(count(hull, tree), 40U);
   std::vector<std::uint64_t> kept(2, 7);
   const CompiledShaft shaft = compile(Box{{0, 0, 0}, {1, 1, 1}}, Box{{5, 0, 0}, {6, 1, 1}});
   EXPECT_THAT(message_of([&] { cull(shaft, tree, kept); }), testing::HasSubstr("kept has 2 words"));
