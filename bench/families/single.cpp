@@ -6,7 +6,7 @@
 /// within such points; an item of `swept_batch` and `shadow_batch` is a shaft. single/complete makes the joining planes
 /// of a shaft, and single/open_contact changes its contact. single/ask/WHAT asks shafts of the workload about a bound:
 /// a box that is outside, one within the box around the shaft, for which joining planes are there or pending, or a
-/// triangle. single/entry_time/WHAT is an item a bound.
+/// triangle. single/entry_time/WHAT is an item a bound, all of them kept.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -34,6 +34,8 @@ using Matrix = std::array<float, 16>;
 
 /// What calls take in turn: enough that no branch predictor knows it by heart, and little enough for an L1 cache.
 constexpr std::size_t turns = 64;
+/// How many kept bounds a list has.
+constexpr std::size_t listed = 16;
 
 struct Single {
   std::vector<Box> a;
@@ -54,7 +56,8 @@ struct Single {
   BoxStream lights_above;             ///< lamps
   BoxView boxes;
   SphereView spheres;
-  std::vector<std::uint32_t> indices;
+  std::vector<std::uint32_t> kept_boxes;    ///< `listed` of shaft i from listed · i on
+  std::vector<std::uint32_t> kept_spheres;  ///< likewise
   std::vector<float> times;
 };
 
@@ -123,8 +126,16 @@ std::shared_ptr<Single> make(const Workload& workload) {
   single->shafts.resize(turns);
   single->boxes = workload.boxes.view().slice(0, 4096);
   single->spheres = workload.spheres.view().slice(0, 4096);
-  for (std::uint32_t i = 0; i != 4096; i += 16) single->indices.push_back(i);
-  single->times.resize(single->indices.size());
+  single->times.resize(listed);
+  for (const CompiledShaft& shaft : single->complete) {
+    const auto add_kept = [&](const Bounds& bounds, std::vector<std::uint32_t>& to) {
+      std::vector<std::uint32_t> kept;
+      list(shaft, bounds, kept);
+      for (std::size_t i = 0; i != listed; ++i) to.push_back(kept.empty() ? 0 : kept[i % kept.size()]);
+    };
+    add_kept(single->boxes, single->kept_boxes);
+    add_kept(single->spheres, single->kept_spheres);
+  }
   return single;
 }
 
@@ -191,12 +202,12 @@ void declare_single(Suite& suite, const Workload& workload) {
   add("ask/within", 1, [](const Single& of, std::size_t i) { return classify(of.complete[i], of.within[i]); });
   add("ask/within_pending", 1, [](const Single& of, std::size_t i) { return classify(of.pending[i], of.within[i]); });
   add("ask/frustum", 1, [](const Single& of, std::size_t i) { return classify(of.views[i], of.within[i]); });
-  add("entry_time/box", single->indices.size(), [](Single& of, std::size_t i) {
-    entry_times(of.complete[i], of.boxes, of.indices, of.times);
+  add("entry_time/box", listed, [](Single& of, std::size_t i) {
+    entry_times(of.complete[i], of.boxes, std::span(of.kept_boxes).subspan(listed * i, listed), of.times);
     return of.times.front();
   });
-  add("entry_time/sphere", single->indices.size(), [](Single& of, std::size_t i) {
-    entry_times(of.complete[i], of.spheres, of.indices, of.times);
+  add("entry_time/sphere", listed, [](Single& of, std::size_t i) {
+    entry_times(of.complete[i], of.spheres, std::span(of.kept_spheres).subspan(listed * i, listed), of.times);
     return of.times.front();
   });
 }

@@ -72,6 +72,11 @@ class Figures(unittest.TestCase):
             self.assertEqual(status, 1)
             self.assertIn(verdict, said)
 
+    def test_times_of_another_machine_are_scaled_by_the_papers_table(self):
+        status, said = self.run_with(results={"form/one": 24, "paper/form_table": 208.8})
+        self.assertEqual(status, 0, said)
+        self.assertIn("multiplied by 0.50", said)
+
     def test_a_row_that_was_not_measured_is_shown(self):
         status, said = self.run_with(results={"form/batch": 5})
         self.assertEqual(status, 1)
