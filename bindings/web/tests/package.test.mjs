@@ -710,10 +710,11 @@ describe('shafts', () => {
     assert.deepEqual(listsOf(tree.listMany(all)), apart);
     assert(apart.some((list) => list.length > 0));
     const triangles = shaftcull.triangleStream([2, 4, 2, 3, 5, 3, 2, 5, 3]);
-    assert.throws(() => triangles.countMany(all), ShaftcullError);
+    assert.equal(triangles.countMany(all).length, 4);
     assert.equal(triangles.countMany(all, {triangleTest: 'vertices'}).length, 4);
     assert.throws(() => all.joiningPlanes(), /between two boxes/);
-    assert.throws(() => all.setContact('open'), ShaftcullError);
+    all.setContact('open');
+    listsOf(tree.listMany(all)).forEach((list, i) => assert(list.length <= apart[i].length));
     const between = shaftcull.between(lamp, table);
     assert.equal(shaftcull.concatenate([between, between]).joiningPlanes({at: 1}).length, 24);
     assert.equal(shaftcull.concatenate([]).length, 0);
