@@ -26,8 +26,8 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// is the same on every machine for the same points. The box lies in the hull exactly: no coordinate is rounded
 /// outwards. If the hull is flat, or too thin for floats, the result is one of `corners`, as a box.
 ///
-/// O(n³): about 10 µs for 8 points, 0.5 ms for 32. Allocates temporary memory. Throws InvalidArgument for another number
-/// of points, and for a point that is not finite; std::bad_alloc.
+/// O(n³): about 10 µs for 8 points, 0.5 ms for 32. Allocates temporary memory. Throws InvalidArgument for another
+/// number of points, and for a point that is not finite; std::bad_alloc.
 [[nodiscard]] SHAFTCULL_EXPORT Box inscribed_box(std::span<const Vec3> corners);
 
 /// Blockers found in triangles: each is proven to hide something that the triangles hide. Occluders::add_found()
