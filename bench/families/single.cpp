@@ -92,7 +92,7 @@ Vec3 on_sphere(Random& random) {
 }
 
 std::shared_ptr<Single> make(const Workload& workload) {
-  const auto single = std::make_shared<Single>();
+  auto single = std::make_shared<Single>();
   Random random(4701);
   const auto vector = [&](float most) -> Vec3 {
     return {random.uniform(-most, most), random.uniform(-most, most), random.uniform(-most, most)};
