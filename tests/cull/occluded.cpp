@@ -351,7 +351,7 @@ TEST(Occluded, ShaftsThatAreNotBetweenTwoBoxesAreRefusedByName) {
     EXPECT_THROW((void)occluded(other, BoxTree(solids.view())), InvalidArgument);
   }
   const ConvexHull hull(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
-  EXPECT_THAT(message_of([&] { (void)occluded(hull, box); }), testing::HasSubstr("or a hull"));
+  EXPECT_THAT(message_of([&] { (void)occluded(hull, box); }), testing::HasSubstr("a hull of one set of points"));
   EXPECT_EQ(bits[0], 7U);
 }
 
