@@ -305,7 +305,8 @@ void form_by_triangles(HullData& hull, const SmallHull& triangles) noexcept {
   end(hull);
 }
 
-/// Copies everything but vertices.
+/// Copies all that was found of the vertices of `from`, to a hull that has these and more: HullData but for vertices,
+/// the choice of a test, and what belongs to a hull between two ends.
 void copy_planes(HullData& hull, const HullData& from) noexcept {
   std::copy_n(from.box, 6, hull.box);
   hull.farthest = from.farthest;
@@ -321,6 +322,10 @@ void copy_planes(HullData& hull, const HullData& from) noexcept {
   std::copy_n(from.plane, from.faces + from.edges, hull.plane);
   constexpr unsigned planes = HullData::PlaneGroup::planes;
   std::copy_n(from.group, (from.lanes + planes - 1) / planes, hull.group);
+  hull.creases = from.creases;
+  hull.facets = from.facets;
+  std::copy_n(from.crease, from.creases, hull.crease);
+  for (unsigned f = 0; f != from.facets; ++f) std::copy_n(from.facet[f], 3, hull.facet[f]);
 }
 
 }  // namespace

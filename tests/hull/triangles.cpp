@@ -214,6 +214,28 @@ TEST(HullTriangles, OnAGridWhereHullsAndTrianglesAreFlatAndStraight) {
   }
 }
 
+TEST(HullTriangles, CastersOfALightInAViewAreAnsweredAsTheView) {
+  Random random(8213);
+  for (std::size_t n = 0; n != random_cases(40); ++n) {
+    HullInput input;
+    for (int i = 0; i != 8; ++i) input.points.push_back(random.vec3(-8, 8));
+    const ConvexHull view(input.points);
+    Vec3 middle{};
+    for (const Vec3& point : input.points) {
+      for (std::size_t k = 0; k != 3; ++k) middle[k] += point[k] / 8;
+    }
+    const ConvexHull with_light = casters(view, middle);
+    for (const Contact contact : {Contact::closed, Contact::open}) {
+      const CompiledShaft of_view = with_contact(view, contact);
+      const CompiledShaft of_light = with_contact(with_light, contact);
+      for (int i = 0; i != 64; ++i) {
+        const Triangle triangle = near_triangle(random, input);
+        ASSERT_EQ(keeps(of_light, triangle), keeps(of_view, triangle)) << source_text(triangle);
+      }
+    }
+  }
+}
+
 TEST(HullTriangles, AHullOfTwoBoxesIsTheShaftBetweenThem) {
   Random random(4);
   for (std::uint64_t i = 0; i != random_cases(60); ++i) {
