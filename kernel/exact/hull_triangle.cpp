@@ -5,23 +5,10 @@
 
 #include "exact/hull_planes.hpp"
 #include "exact/orientation.hpp"
+#include "exact/sides.hpp"
 
 namespace shaftcull::kernel {
 namespace {
-
-/// On which sides of a plane some points are.
-struct Sides {
-  bool in_front = false;
-  bool behind = false;
-  bool in_plane = false;
-
-  void add(int side) noexcept {
-    in_front |= side > 0;
-    behind |= side < 0;
-    in_plane |= side == 0;
-  }
-  [[nodiscard]] bool are_mixed() const noexcept { return in_front && behind; }
-};
 
 /// Whether a plane that a convex hull and a triangle touch, or one of them, parts them: both are on its sides, and do
 /// not both reach it, or with open contact do not both lie in it. Directions of the hull count as points far away: they

@@ -6,6 +6,7 @@
 
 #include "exact/blocking.hpp"
 #include "exact/expansion.hpp"
+#include "exact/sides.hpp"
 
 namespace shaftcull::kernel {
 namespace {
@@ -53,20 +54,6 @@ int orientation(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q) noex
   return orientation_in<Expansion<2>>(a, b, p, q).sign();
 }
 
-/// Which signs the values of a function at some points have.
-struct Signs {
-  bool has_positive = false;
-  bool has_negative = false;
-  bool has_zero = false;
-
-  void add(int sign) noexcept {
-    has_positive |= sign > 0;
-    has_negative |= sign < 0;
-    has_zero |= sign == 0;
-  }
-  [[nodiscard]] bool are_mixed() const noexcept { return has_positive && has_negative; }
-};
-
 /// Which points of two hulls count.
 enum class Ends : unsigned char { relative_interiors, closed };
 
@@ -76,30 +63,30 @@ enum class Ends : unsigned char { relative_interiors, closed };
 /// An affine function that is nowhere negative on a hull is positive in its relative interior, unless it is 0 on all of
 /// it. The same is true of a function that is affine in a point of either of two hulls.
 template <Ends ends>
-int common_sign(const Signs& signs) noexcept {
-  if (signs.are_mixed() || (ends == Ends::closed && signs.has_zero)) return 0;
-  return signs.has_positive ? 1 : signs.has_negative ? -1 : 0;
+int common_sign(const Sides& sides) noexcept {
+  if (sides.are_mixed() || (ends == Ends::closed && sides.in_plane)) return 0;
+  return sides.in_front ? 1 : sides.behind ? -1 : 0;
 }
 
 /// The side of the line through any two points of the ends on which the edge from p to q passes, or 0.
 template <Ends ends>
 int side_of_edge(std::span<const Vec3> a, std::span<const Vec3> b, const Vec3& p, const Vec3& q) noexcept {
-  Signs signs;
+  Sides sides;
   for (const Vec3& from : a) {
     for (const Vec3& to : b) {
-      signs.add(orientation(from, to, p, q));
-      if (signs.are_mixed()) return 0;
+      sides.add(orientation(from, to, p, q));
+      if (sides.are_mixed()) return 0;
     }
   }
-  return common_sign<ends>(signs);
+  return common_sign<ends>(sides);
 }
 
 /// The side of the plane of three points on which an end is, or 0.
 template <Ends ends>
 int side_of_plane(std::span<const Vec3> end, const Vec3& p, const Vec3& q, const Vec3& r) noexcept {
-  Signs signs;
-  for (const Vec3& point : end) signs.add(orientation(p, point, q, r));
-  return common_sign<ends>(signs);
+  Sides sides;
+  for (const Vec3& point : end) sides.add(orientation(p, point, q, r));
+  return common_sign<ends>(sides);
 }
 
 /// Whether the ends are strictly on different sides of the plane of three points; also if these are on one line.

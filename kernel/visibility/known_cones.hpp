@@ -45,7 +45,7 @@ class KnownCones {
   static constexpr std::size_t most_cones = std::size_t{1} << 12;
   static constexpr std::size_t most_planes = std::size_t{1} << 15;
 
-  /// Planes side by side; none yet if `first` is that.
+  /// Planes side by side. They are not formed yet if `first` is `none`.
   struct Planes {
     static constexpr std::uint32_t none = ~std::uint32_t{0};
     std::uint32_t first = none;
