@@ -44,8 +44,8 @@ void require_finite(const char* what, std::size_t i, const Vec3& v) {
     return;
   for (std::size_t k = 0; k != 3; ++k) {
     if (std::isfinite(v[k])) continue;
-    kernel::fail(InvalidArgument(std::string("ConvexHull: ") + what + " " + std::to_string(i) + ": " + "xyz"[k] +
-                                 " = " + kernel::text(v[k]) + " is not finite"));
+    kernel::fail(InvalidArgument(std::string(what) + " " + std::to_string(i) + ": " + "xyz"[k] + " = " +
+                                 kernel::text(v[k]) + " is not finite"));
   }
 }
 
@@ -59,9 +59,9 @@ void require_vertices(std::span<const Vec3> points, std::span<const Vec3> direct
                                  std::to_string(directions.size()) + " directions; together there can be " +
                                  std::to_string(most)));
   }
-  for (std::size_t i = 0; i != points.size(); ++i) require_finite("point", i, points[i]);
+  for (std::size_t i = 0; i != points.size(); ++i) require_finite("ConvexHull: point", i, points[i]);
   for (std::size_t i = 0; i != directions.size(); ++i) {
-    require_finite("direction", i, directions[i]);
+    require_finite("ConvexHull: direction", i, directions[i]);
     if (directions[i] == Vec3{0, 0, 0}) {
       kernel::fail(InvalidArgument("ConvexHull: direction " + std::to_string(i) + " is zero"));
     }
@@ -263,6 +263,8 @@ ConvexHull between_polygons(std::span<const Vec3> p, std::span<const Vec3> q, Hu
     kernel::fail(InvalidArgument("between_polygons: p has " + std::to_string(p.size()) + " corners and q " +
                                  std::to_string(q.size()) + "; together there can be " + std::to_string(most)));
   }
+  for (std::size_t i = 0; i != p.size(); ++i) require_finite("between_polygons: p: corner", i, p[i]);
+  for (std::size_t i = 0; i != q.size(); ++i) require_finite("between_polygons: q: corner", i, q[i]);
   std::array<Vec3, most> both;
   std::copy(q.begin(), q.end(), std::copy(p.begin(), p.end(), both.begin()));
   return ConvexHull(std::span<const Vec3>(both).first(p.size() + q.size()), {}, test, p.size());

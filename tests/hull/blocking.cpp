@@ -205,7 +205,7 @@ TEST(HullBlocking, EndsThatMakeNoHullAreRefused) {
   EXPECT_THAT(refusal(one, {}), HasSubstr("between_polygons: q has no corner"));
   EXPECT_THAT(refusal(Points(30, Vec3{}), Points(3, Vec3{})),
               HasSubstr("between_polygons: p has 30 corners and q 3; together there can be 32"));
-  EXPECT_THAT(refusal(one, {{0, nan, 0}}), HasSubstr("point 1: y = nan is not finite"));
+  EXPECT_THAT(refusal(one, {{0, nan, 0}}), HasSubstr("between_polygons: q: corner 0: y = nan is not finite"));
   EXPECT_THAT(message_of([&] { static_cast<void>(between_polygons(one, one, static_cast<HullTest>(9))); }),
               HasSubstr("test = 9"));
   EXPECT_EQ(between_polygons(one, one, HullTest::conservative).test(), HullTest::conservative);
