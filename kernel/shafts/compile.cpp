@@ -54,9 +54,9 @@ CompiledShaft compile(const Box& a, const Box& b, std::span<const Plane> planes,
   kernel::require_contact(contact);
   CompiledShaft compiled;
   kernel::ShaftData& shaft = kernel::data_of(compiled);
-  if (!planes.empty()) kernel::require_planes(planes);
   const bool is_formed = [&] {
     const kernel::FloatEnvironment environment;
+    if (!planes.empty()) kernel::require_planes(planes);
     const kernel::Kernels& kernels = kernel::active_kernels();
     if (!kernels.compile_pair(a, b, shaft)) return false;
     kernel::add_planes(kernels, planes, shaft.b, shaft);

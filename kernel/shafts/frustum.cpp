@@ -126,13 +126,13 @@ ConvexHull frustum(std::span<const float, 16> matrix, ClipDepth depth, HullTest 
 }
 
 ConvexHull casters(const ConvexHull& view, const Vec3& light) {
-  require_extensible("casters", view, "light", light);
+  kernel::in_float_environment([&] { require_extensible("casters", view, "light", light); });
   return {view, light, false};
 }
 
 ConvexHull casters_towards(const ConvexHull& view, const Vec3& towards_sun) {
-  require_extensible("casters_towards", view, "towards_sun", towards_sun);
   kernel::in_float_environment([&] {  // where denormals are not 0
+    require_extensible("casters_towards", view, "towards_sun", towards_sun);
     if (towards_sun == Vec3{0, 0, 0}) {
       kernel::fail(InvalidArgument("casters_towards: towards_sun is zero; it must be a direction"));
     }

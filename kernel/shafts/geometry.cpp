@@ -83,36 +83,38 @@ void require_stored_by_rows(const char* call, std::span<const float, 16> matrix)
 
 Box box_around(std::span<const Vec3> points) {
   kernel::require_memory("points", points, "points");
-  Box box = kernel::empty_box;
-  for (std::size_t i = 0; i != points.size(); ++i) {
-    for (std::size_t k = 0; k != 3; ++k) {
-      const float x = points[i][k];
-      if (std::isnan(x)) {
-        kernel::fail(BadBound(i, "box_around: point " + std::to_string(i) + ": " + "xyz"[k] + " is not a number"));
+  return kernel::in_float_environment([&] {
+    Box box = kernel::empty_box;
+    for (std::size_t i = 0; i != points.size(); ++i) {
+      for (std::size_t k = 0; k != 3; ++k) {
+        const float x = points[i][k];
+        if (std::isnan(x)) {
+          kernel::fail(BadBound(i, "box_around: point " + std::to_string(i) + ": " + "xyz"[k] + " is not a number"));
+        }
+        box.lo[k] = std::min(box.lo[k], x);
+        box.hi[k] = std::max(box.hi[k], x);
       }
-      box.lo[k] = std::min(box.lo[k], x);
-      box.hi[k] = std::max(box.hi[k], x);
     }
-  }
-  return box;
+    return box;
+  });
 }
 
 Box joined(const Box& a, const Box& b) noexcept {
-  Box box;
-  for (std::size_t k = 0; k != 3; ++k) {
-    box.lo[k] = std::min(a.lo[k], b.lo[k]);
-    box.hi[k] = std::max(a.hi[k], b.hi[k]);
-  }
-  return box;
+  return kernel::in_float_environment([&] {
+    Box box;
+    for (std::size_t k = 0; k != 3; ++k) {
+      box.lo[k] = std::min(a.lo[k], b.lo[k]);
+      box.hi[k] = std::max(a.hi[k], b.hi[k]);
+    }
+    return box;
+  });
 }
 
 Box translated(const Box& box, const Vec3& by) {
-  for (std::size_t k = 0; k != 3; ++k) {
-    if (!std::isfinite(by[k])) refuse_infinite(std::string("translated: by.") + "xyz"[k], by[k]);
-  }
   return kernel::in_float_environment([&] {
     Box moved;
     for (std::size_t k = 0; k != 3; ++k) {
+      if (!std::isfinite(by[k])) refuse_infinite(std::string("translated: by.") + "xyz"[k], by[k]);
       moved.lo[k] = sum_rounded_down(box.lo[k], by[k]);
       moved.hi[k] = sum_rounded_up(box.hi[k], by[k]);
     }
@@ -121,10 +123,10 @@ Box translated(const Box& box, const Vec3& by) {
 }
 
 Box inflated(const Box& box, float by) {
-  if (!std::isfinite(by)) refuse_infinite("inflated: by", by);
-  if (by < 0)
-    kernel::fail(InvalidArgument("inflated: by = " + kernel::text(by) + " is negative; it must be 0 or more"));
   return kernel::in_float_environment([&] {
+    if (!std::isfinite(by)) refuse_infinite("inflated: by", by);
+    if (by < 0)
+      kernel::fail(InvalidArgument("inflated: by = " + kernel::text(by) + " is negative; it must be 0 or more"));
     Box larger;
     for (std::size_t k = 0; k != 3; ++k) {
       larger.lo[k] = sum_rounded_down(box.lo[k], -by);
@@ -139,15 +141,15 @@ ViewPlanes kernel::planes_of_view(const char* call, std::span<const float, 16> m
     kernel::fail(InvalidArgument(std::string(call) + ": depth = " + std::to_string(static_cast<unsigned>(depth)) +
                                  " is neither ClipDepth::zero_to_one nor ClipDepth::minus_one_to_one"));
   }
-  for (std::size_t i = 0; i != matrix.size(); ++i) {
-    if (!std::isfinite(matrix[i]))
-      refuse_infinite(std::string(call) + ": matrix[" + std::to_string(i) + "]", matrix[i]);
-  }
-  require_stored_by_rows(call, matrix);
   const float near_share = depth == ClipDepth::zero_to_one ? 0.0F : 1.0F;
   const ClipRule rules[6] = {{"left", 1, 0, 1}, {"right", 1, 0, -1},        {"bottom", 1, 1, 1},
                              {"top", 1, 1, -1}, {"near", near_share, 2, 1}, {"far", 1, 2, -1}};
   return kernel::in_float_environment([&] {
+    for (std::size_t i = 0; i != matrix.size(); ++i) {
+      if (!std::isfinite(matrix[i]))
+        refuse_infinite(std::string(call) + ": matrix[" + std::to_string(i) + "]", matrix[i]);
+    }
+    require_stored_by_rows(call, matrix);
     ViewPlanes planes{};
     for (const ClipRule& rule : rules) {
       const Plane plane = plane_of(matrix, rule);

@@ -263,8 +263,10 @@ ConvexHull between_polygons(std::span<const Vec3> p, std::span<const Vec3> q, Hu
     kernel::fail(InvalidArgument("between_polygons: p has " + std::to_string(p.size()) + " corners and q " +
                                  std::to_string(q.size()) + "; together there can be " + std::to_string(most)));
   }
-  for (std::size_t i = 0; i != p.size(); ++i) require_finite("between_polygons: p: corner", i, p[i]);
-  for (std::size_t i = 0; i != q.size(); ++i) require_finite("between_polygons: q: corner", i, q[i]);
+  kernel::in_float_environment([&] {
+    for (std::size_t i = 0; i != p.size(); ++i) require_finite("between_polygons: p: corner", i, p[i]);
+    for (std::size_t i = 0; i != q.size(); ++i) require_finite("between_polygons: q: corner", i, q[i]);
+  });
   std::array<Vec3, most> both;
   std::copy(q.begin(), q.end(), std::copy(p.begin(), p.end(), both.begin()));
   return ConvexHull(std::span<const Vec3>(both).first(p.size() + q.size()), {}, test, p.size());

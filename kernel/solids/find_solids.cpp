@@ -114,15 +114,17 @@ class Search {
 
 /// `triangles` are finite.
 FoundSolids find(const TriangleStream& triangles, const SolidSearch& search) {
-  if (!(search.least_width >= 0)) {
-    kernel::fail(
-        InvalidArgument("SolidSearch::least_width is " + kernel::text(search.least_width) + "; it must be 0 or more"));
-  }
   constexpr std::size_t most_triangles = std::size_t{1} << 30U;  // three numbers each of 32 bits
   if (triangles.size() >= most_triangles) {
     kernel::fail(InvalidArgument(std::to_string(triangles.size()) + " triangles; find_solids() takes less than 2^30"));
   }
-  return kernel::in_float_environment([&] { return Search(triangles, search).run(); });
+  return kernel::in_float_environment([&] {
+    if (!(search.least_width >= 0)) {
+      kernel::fail(InvalidArgument("SolidSearch::least_width is " + kernel::text(search.least_width) +
+                                   "; it must be 0 or more"));
+    }
+    return Search(triangles, search).run();
+  });
 }
 
 }  // namespace

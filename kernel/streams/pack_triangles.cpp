@@ -12,6 +12,7 @@
 #include "streams/strided_reader.hpp"
 #include "support/arguments.hpp"
 #include "support/fail.hpp"
+#include "support/float_environment.hpp"
 #include "support/overlap.hpp"
 #include "support/text.hpp"
 
@@ -113,7 +114,7 @@ void pack_triangles(const Source& source, std::size_t first, TriangleStream& str
                                  " on does not fit a stream of " + std::to_string(stream.size())));
   }
   if (source.overlaps(StreamAccess::memory(stream))) refuse_shared_memory("update", "what is packed", "the stream");
-  require_finite(source);
+  in_float_environment([&] { require_finite(source); });
   const auto row = StreamAccess::rows(stream, first);
   for (std::size_t i = 0; i != count; ++i) {
     float triangle[coordinates];

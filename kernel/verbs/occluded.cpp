@@ -35,12 +35,14 @@ bool occluded(const CompiledShaft& shaft, std::span<const Vec3> polygon) {
     kernel::fail(
         InvalidArgument("polygon has " + kernel::counted(polygon.size(), "corner") + "; it takes three or more"));
   }
-  for (std::size_t i = 0; i != polygon.size(); ++i) {
-    const Vec3& corner = polygon[i];
-    if (std::all_of(corner.begin(), corner.end(), [](float x) { return std::isfinite(x); })) continue;
-    kernel::fail(InvalidArgument("polygon[" + std::to_string(i) + "] is not finite; corners are points"));
-  }
-  return kernel::in_float_environment([&] { return kernel::polygon_blocks(data, polygon); });
+  return kernel::in_float_environment([&] {
+    for (std::size_t i = 0; i != polygon.size(); ++i) {
+      const Vec3& corner = polygon[i];
+      if (std::all_of(corner.begin(), corner.end(), [](float x) { return std::isfinite(x); })) continue;
+      kernel::fail(InvalidArgument("polygon[" + std::to_string(i) + "] is not finite; corners are points"));
+    }
+    return kernel::polygon_blocks(data, polygon);
+  });
 }
 
 std::optional<std::uint32_t> find_occluder(const CompiledShaft& shaft, const Bounds& solids, const Query& query) {

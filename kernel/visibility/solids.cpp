@@ -232,13 +232,15 @@ Box inscribed_box(std::span<const Vec3> corners) {
     kernel::fail(InvalidArgument("a solid hull has " + kernel::counted(corners.size(), "corner") + "; it takes 4 to " +
                                  std::to_string(ConvexHull::max_vertices)));
   }
-  for (std::size_t i = 0; i != corners.size(); ++i) {
-    for (const float x : corners[i]) {
-      if (!std::isfinite(x))
-        kernel::fail(InvalidArgument("corner " + std::to_string(i) + " of a solid hull is not finite"));
+  return kernel::in_float_environment([&] {
+    for (std::size_t i = 0; i != corners.size(); ++i) {
+      for (const float x : corners[i]) {
+        if (!std::isfinite(x))
+          kernel::fail(InvalidArgument("corner " + std::to_string(i) + " of a solid hull is not finite"));
+      }
     }
-  }
-  return kernel::in_float_environment([&] { return box_inside(corners); });
+    return box_inside(corners);
+  });
 }
 
 }  // namespace shaftcull

@@ -5,6 +5,7 @@
 
 #include "support/arguments.hpp"
 #include "support/fail.hpp"
+#include "support/float_environment.hpp"
 #include "support/text.hpp"
 
 namespace shaftcull::kernel {
@@ -25,9 +26,11 @@ void require_options(const VisibilityOptions& options) {
     kernel::fail(
         InvalidArgument("memory is " + std::to_string(options.memory) + " bytes; it takes 1 MB (1048576) or more"));
   }
-  if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance)) {
-    kernel::fail(InvalidArgument("tolerance is " + text(options.tolerance) + "; it is finite and not below 0"));
-  }
+  kernel::in_float_environment([&] {
+    if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance)) {
+      kernel::fail(InvalidArgument("tolerance is " + text(options.tolerance) + "; it is finite and not below 0"));
+    }
+  });
 }
 
 void require_rows(std::span<const std::uint64_t> bits, std::size_t a, std::size_t b) {

@@ -14,6 +14,19 @@
 namespace shaftcull {
 
 inline void add_forming_calls(CallTable& table) {
+  table.add("joined, translated, inflated, view_planes", false, [&table](AnswerWords& words) {
+    for (const Box& box : std::span(table.boxes).first(9)) {
+      note(words, joined(box, table.boxes[1]));
+      note(words, translated(box, {1e-40F, -1e-39F, 0.1F}));
+      note(words, inflated(box, 1e-40F));
+    }
+    constexpr float matrix[16] = {1, 1e-40F, 0, 1e-39F, 0, 1, 0, 0, 0, 0, 1.04F, -2.04F, 0, 0, 1, 0};
+    const ViewPlanes planes = view_planes(matrix, ClipDepth::zero_to_one);
+    for (const Plane& plane : std::span(planes.plane).first(planes.count)) {
+      note(words, plane.normal);
+      note(words, plane.offset);
+    }
+  });
   table.add("Shaft, compile of a Shaft", false, [&table](AnswerWords& words) {
     for (const PlaneOrder order : {PlaneOrder::unsorted, PlaneOrder::by_volume, PlaneOrder::by_added_volume}) {
       for (const Formation formation : {Formation::search, Formation::table64, Formation::table729}) {
@@ -35,14 +48,14 @@ inline void add_forming_calls(CallTable& table) {
     note_shaft(words, compile(table.boxes[1], table.boxes[2]), table.box_stream.view().slice(0, 64));
   });
   table.add("compile with planes", false, [&table](AnswerWords& words) {
-    const std::vector<Plane> planes = {{{1, 2, 3}, 4}, {{-1, 0, 1e-30F}, 0.1F}};
+    const std::vector<Plane> planes = {{{1, 2, 3}, 4}, {{-1, 0, 1e-40F}, 0.1F}};
     note_shaft(words, compile(table.boxes[1], table.boxes[2], planes), table.box_stream.view().slice(0, 64));
   });
   table.add("ConvexHull, frustum, casters, casters_towards", false, [&table](AnswerWords& words) {
-    constexpr float matrix[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1.04F, -2.04F, 0, 0, 1, 0};
+    constexpr float matrix[16] = {1, 1e-40F, 0, 0, 0, 1, 0, 0, 0, 0, 1.04F, -2.04F, 0, 0, 1, 0};
     const ConvexHull view = frustum(matrix, ClipDepth::minus_one_to_one);
     const std::vector<Vec3> points = {{0, 0, 0}, {3, 1e-3F, 1}, {1, 2, 4}, {0.1F, 5, 1e-39F}};
-    for (const ConvexHull& hull : {view, casters(view, {0.3F, 9, 5}), casters_towards(view, {0, 1, 0.1F}),
+    for (const ConvexHull& hull : {view, casters(view, {0.3F, 9, 1e-39F}), casters_towards(view, {0, 1, 1e-39F}),
                                    ConvexHull(points), ConvexHull(points, std::span(points).last(1)),
                                    between_polygons(std::span(points).first(2), std::span(points).last(2))}) {
       note_shaft(words, hull, table.box_stream.view().slice(0, 64));
@@ -52,8 +65,8 @@ inline void add_forming_calls(CallTable& table) {
     }
   });
   table.add("swept, swept_infinite, shadow", false, [&table](AnswerWords& words) {
-    const std::vector<Plane> planes(2, Plane{{1, 2, 3}, 4});
-    const Box light{{9, 9, 9}, {9.5F, 9, 9.25F}};
+    const std::vector<Plane> planes(2, Plane{{1, 2, 1e-40F}, 4});
+    const Box light{{9, 1e-40F, 9}, {9.5F, 9, 9.25F}};
     for (const CompiledShaft& shaft :
          {swept(table.boxes[1], {0.1F, 2, 1e-30F}), swept(table.boxes[1], {0.1F, 2, 1e-30F}, planes),
           swept_infinite(table.boxes[1], {0.3F, -1, 1e-40F}), swept_infinite(table.boxes[1], {0, -1, 0}, planes),
@@ -114,7 +127,7 @@ inline void add_forming_calls(CallTable& table) {
   });
   table.add("compile_batch of pairs, with planes", false, [&table](AnswerWords& words) {
     const IndexPair pairs[] = {{0, 1}, {1, 2}, {2, 2}, {5, 0}, {6, 3}};
-    const std::vector<Plane> planes(8, Plane{{1, 2, 3}, 4});
+    const std::vector<Plane> planes(8, Plane{{1, 2, 1e-40F}, 4});
     std::vector<CompiledShaft> out(std::size(pairs));
     const BoxView few = table.box_stream.view().slice(0, 8);
     compile_batch(few, few, pairs, out, {.a = planes});

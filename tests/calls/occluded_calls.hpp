@@ -16,7 +16,7 @@ inline void add_occluded_calls(CallTable& table, const BoxView& view, const std:
   const auto leave_out = [](const CallTable& of) {
     return Query{.exclude = of.candidates, .exclude_mask = of.mask, .layer_mask = {0b01011}};
   };
-  const std::vector<Vec3> corners = {{-9, -9, -9}, {9, -9, -8}, {9, 9, 8.5F}, {-9, 9, 8}};
+  const std::vector<Vec3> corners = {{-9, -9, -9}, {9, -9, -8}, {9, 9, 1e-39F}, {-9, 9, 1e-40F}};
   table.add("occluded", true, [=, &table, &boxes, &tree](AnswerWords& words) {
     for (const CompiledShaft& shaft : table.between) {
       note(words, occluded(shaft, boxes[1]));

@@ -50,11 +50,11 @@ inline void add_visibility_calls(CallTable& table) {
   all->boxes.assign(table.boxes.begin(), table.boxes.begin() + static_cast<std::ptrdiff_t>(count));
   for (std::size_t i = 0; i != count; ++i) {
     const Box& box = all->boxes[i];
-    const Vec3 normals[] = {{1, 0, 0}, {0, -1, 0}, {1, 2, 0}, {-0.3F, 0.4F, 0.5F}};
+    const Vec3 normals[] = {{1, 0, 1e-40F}, {0, -1, 0}, {1, 2, 0}, {-0.3F, 0.4F, 0.5F}};
     all->planes.push_back({normals[i % 4], i % 4 == 1 ? -box.hi[1] : box.lo[0]});
     if (i % 40 == 0) all->solids.push_back(box);
   }
-  all->hull = {{0, 0, 0}, {2, 1, 0}, {1, 3, 0}, {0, 0, 4}, {2, 1, 4}, {1, 3, 4}};
+  all->hull = {{0, 1e-40F, 0}, {2, 1, 0}, {1, 3, 0}, {0, 0, 4}, {2, 1, 4}, {1, 3, 4}};
   all->patches = PatchSet(std::span<const Box>(all->boxes), all->planes);
   all->others = PatchSet(std::span<const Box>(all->boxes).subspan(0, count / 2));
   const auto add_occluders = [all, &triangles = table.triangle_stream](Occluders& to) {
@@ -83,7 +83,7 @@ inline void add_visibility_calls(CallTable& table) {
   table.add("find_solids", false, [all, &triangles = table.triangle_stream](AnswerWords& words) {
     TriangleView few = triangles.view();
     few.count = std::min<std::size_t>(few.count, 100);
-    const FoundSolids found = find_solids(few);
+    const FoundSolids found = find_solids(few, {.least_width = 1e-40F});
     for (const Vec3& corner : found.polygon_corners) note(words, Box{corner, corner});
     Occluders occluders;
     occluders.add_found(found);
@@ -101,6 +101,7 @@ inline void add_visibility_calls(CallTable& table) {
     VisibilityOptions closed;
     closed.contact = Contact::closed;
     closed.solids_around_ends = false;
+    closed.tolerance = 1e-40F;
     note_visibility(words, collect_visibility(all->others, all->patches, all->occluders, closed));
   });
   table.add("visibility_bits", false, [all](AnswerWords& words) {
