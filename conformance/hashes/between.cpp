@@ -17,8 +17,8 @@ namespace shaftcull::hashes {
 namespace {
 
 void add_blocking(const CompiledShaft& shaft, const BoxView& view, Digest& digest) {
-  std::vector<std::uint32_t> listed(view.count);
-  listed.resize(list_occluders(shaft, view, listed));
+  std::vector<std::uint32_t> listed;
+  list_occluders(shaft, view, listed);
   for (const std::uint32_t index : listed) digest.add(index);
   digest.add(view.count);
 }

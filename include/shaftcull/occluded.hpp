@@ -32,6 +32,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "shaftcull/bounds.hpp"
 #include "shaftcull/compiled.hpp"
@@ -73,6 +74,11 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 [[nodiscard]] SHAFTCULL_EXPORT std::size_t list_occluders(const CompiledShaft& shaft, const Bounds& solids,
                                                           std::span<std::uint32_t> blocking,
                                                           const Query& query = no_options);
+
+/// Writes the list to a vector, which becomes as long as the list, as list() does (cull.hpp). No option may be in the
+/// vector's memory.
+SHAFTCULL_EXPORT std::size_t list_occluders(const CompiledShaft& shaft, const Bounds& solids,
+                                            std::vector<std::uint32_t>& blocking, const Query& query = no_options);
 
 /// Writes bit s % 64 of word s / 64 of `occluded`, in parallel: 1 iff a box blocks shafts[s]. Bits past the last shaft
 /// are 0. `occluded` has exactly bit_words(shafts.size()) words. Bits do not depend on the number of threads. O(shafts

@@ -203,6 +203,19 @@ SHAFTCULL_NOINLINE std::size_t list_bounds(const CompiledShaft& shaft, const Bou
   return list_kept(asked, kept);
 }
 
+/// Makes the vector as long as the list. It may hold the candidates.
+std::size_t list_growing(const Asked& asked, std::vector<std::uint32_t>& listed) {
+  constexpr std::size_t least_room = 256;
+  const bool holds_candidates =
+      asked.options().only() && !listed.empty() && asked.options().only()->data() == listed.data();
+  if (!holds_candidates) listed.resize(std::max(listed.size(), std::min(least_room, asked.size())));
+  std::size_t size = list_kept(asked, listed);
+  const bool fits = size <= listed.size();
+  listed.resize(size);
+  if (!fits) size = list_kept(asked, listed);
+  return size;
+}
+
 }  // namespace
 
 std::size_t list(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::uint32_t> kept, const Query& query) {
@@ -225,15 +238,7 @@ std::size_t list(const CompiledShaft& shaft, const Bounds& bounds, std::vector<s
                  const Query& query) {
   const Asked asked("list", {&shaft, 1}, bounds, Question::kept, query, kernel::takes_limit);
   require_indices(asked, "kept", kept, true);
-  constexpr std::size_t least_room = 256;
-  const bool holds_candidates =
-      asked.options().only() && !kept.empty() && asked.options().only()->data() == kept.data();
-  if (!holds_candidates) kept.resize(std::max(kept.size(), std::min(least_room, asked.size())));
-  std::size_t size = list_kept(asked, kept);
-  const bool fits = size <= kept.size();
-  kept.resize(size);
-  if (!fits) size = list_kept(asked, kept);
-  return size;
+  return list_growing(asked, kept);
 }
 
 KeptCounts list_classified(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::uint32_t> overlap,
@@ -283,6 +288,13 @@ std::size_t list_occluders(const CompiledShaft& shaft, const Bounds& solids, std
   const Asked asked("list_occluders", {&shaft, 1}, solids, Question::blocking, query, takes_limit_alone);
   require_indices(asked, "blocking", blocking, false);
   return list_kept(asked, blocking);
+}
+
+std::size_t list_occluders(const CompiledShaft& shaft, const Bounds& solids, std::vector<std::uint32_t>& blocking,
+                           const Query& query) {
+  const Asked asked("list_occluders", {&shaft, 1}, solids, Question::blocking, query, takes_limit_alone);
+  require_indices(asked, "blocking", blocking, false);
+  return list_growing(asked, blocking);
 }
 
 void list_occluders_many(std::span<const CompiledShaft> shafts, const Bounds& solids, IndexLists& lists,

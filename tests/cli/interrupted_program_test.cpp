@@ -57,9 +57,9 @@ TEST(CliInterrupt, VerifySumsUpTheCasesUntilThen) {
 }
 
 TEST(CliInterrupt, HashEndsWithTheFamiliesUntilThen) {
-  const Outcome outcome = interrupted({"hash"}, "17 families", SIGINT);
+  const Outcome outcome = interrupted({"hash"}, "20 families", SIGINT);
   EXPECT_EQ(outcome.exit_code, 128 + SIGINT) << outcome.error;
-  EXPECT_THAT(outcome.error, HasSubstr("of 17 families"));
+  EXPECT_THAT(outcome.error, HasSubstr("of 20 families"));
 }
 
 TEST(CliInterruptDeathTest, EndsWithTheWatch) {

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "columns.hpp"
+#include "message_of.hpp"
 #include "options/scenes.hpp"
 #include "oracle/random.hpp"
 #include "shaftcull/shaftcull.hpp"
@@ -253,6 +254,38 @@ TYPED_TEST(VectorLists, BecomeAsLongAsTheList) {
     EXPECT_EQ(list(shaft, holder.bounds, kept, {.only = std::span<const std::uint32_t>()}), 0U);
     EXPECT_TRUE(kept.empty());
   }
+}
+
+TEST(VectorListsOfOccluders, BecomeAsLongAsTheList) {
+  const CompiledShaft shaft = compile({{-5, -1, -1}, {-4, 1, 1}}, {{4, -1, -1}, {5, 1, 1}});
+  std::vector<Box> walls;  // every third one is too small
+  for (int i = 0; i != 900; ++i) {
+    const float x = 0.004F * static_cast<float>(i) - 2;
+    const float half = i % 3 == 0 ? 0.5F : 2.0F;
+    walls.push_back({{x, -half, -half}, {x + 0.001F, half, half}});
+  }
+  const BoxStream stream(walls);
+  const BoxTree tree(stream.view());
+  for (const Bounds& bounds : {Bounds(stream), Bounds(tree)}) {
+    Indices all(walls.size());
+    all.resize(list_occluders(shaft, bounds, std::span(all)));
+    ASSERT_EQ(all.size(), 600U);
+    for (const std::size_t limit : {0U, 1U, 255U, 256U, 257U, 700U}) {
+      const Indices right(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(std::min(limit, all.size())));
+      for (const std::size_t size : {0U, 1U, 256U, 599U, 600U, 601U, 5000U}) {
+        Indices blocking(size, 7);
+        EXPECT_EQ(list_occluders(shaft, bounds, blocking, {.limit = limit}), right.size());
+        EXPECT_EQ(blocking, right) << "a vector of " << size << ", limit " << limit;
+      }
+    }
+  }
+  Indices blocking(3, 7);
+  EXPECT_EQ(list_occluders(shaft, BoxView{}, blocking), 0U);
+  EXPECT_TRUE(blocking.empty());
+  blocking.assign(30, 0);
+  EXPECT_EQ(message_of([&] { list_occluders(shaft, stream, blocking, {.exclude = blocking}); }),
+            message_of([&] { (void)list_occluders(shaft, stream, std::span(blocking), {.exclude = blocking}); }));
+  EXPECT_EQ(blocking, Indices(30, 0));
 }
 
 TYPED_TEST(VectorLists, OfNoBoundsAreEmpty) {

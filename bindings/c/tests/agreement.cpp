@@ -8,11 +8,13 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "sanitizers.hpp"
 #include "tree/scenes.hpp"
 
 namespace shaftcull::agreement {
@@ -273,7 +275,9 @@ TEST_P(CAgreesWithCpp, OnOneBoxSphereOrPolygon) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, CAgreesWithCpp, testing::ValuesIn(shapes));
+// With a sanitizer a few: it looks for wrong memory, which does not depend on where bounds are.
+INSTANTIATE_TEST_SUITE_P(Scenes, CAgreesWithCpp,
+                         testing::ValuesIn(shapes, shapes + (has_shadow_memory ? 3 : std::size(shapes))));
 
 }  // namespace
 }  // namespace shaftcull::agreement
