@@ -755,12 +755,20 @@ typedef struct shaftcull_patches shaftcull_patches;
 SHAFTCULL_API shaftcull_status shaftcull_patches_create(const shaftcull_source* boxes, const shaftcull_plane* planes,
                                                         uint64_t plane_count, shaftcull_patches** patches);
 
+/// From where a patch with corners is seen.
+typedef uint32_t shaftcull_patch_sides;
+enum {
+  SHAFTCULL_PATCH_FRONT = 0, /* from the side from which its corners run counter-clockwise */
+  SHAFTCULL_PATCH_BOTH = 1   /* from both sides: it has no plane */
+};
+
 /// Patches that are convex polygons: patch i has the corners from first_corner[i] to before first_corner[i + 1], 3 to 8
-/// of them in order, and faces the side from which they run counter-clockwise. `corners` has 3 floats per corner,
-/// `first_corner` one number more than there are patches. SHAFTCULL_BAD_BOUND for the first patch with a corner that is
-/// not finite. O(n log n); holds about 150 bytes per patch of 4 corners. Freed by shaftcull_patches_free().
+/// of them in order. `corners` has 3 floats per corner, `first_corner` one number more than there are patches.
+/// SHAFTCULL_BAD_BOUND for the first patch with a corner that is not finite. O(n log n); holds about 150 bytes per
+/// patch of 4 corners. Freed by shaftcull_patches_free().
 SHAFTCULL_API shaftcull_status shaftcull_patches_create_polygons(const float* corners, uint64_t corner_count,
                                                                  const uint64_t* first_corner, uint64_t patch_count,
+                                                                 shaftcull_patch_sides sides,
                                                                  shaftcull_patches** patches);
 
 /// Frees patches; does nothing for NULL.

@@ -89,6 +89,9 @@ template <class Enum>
 [[nodiscard]] inline HullTest as_hull_test(shaftcull_hull_test test) {
   return as_enumerator(test, HullTest::conservative, "test", "SHAFTCULL_HULL_EXACT and SHAFTCULL_HULL_CONSERVATIVE");
 }
+[[nodiscard]] inline PatchSides as_patch_sides(shaftcull_patch_sides sides) {
+  return as_enumerator(sides, PatchSides::both, "sides", "SHAFTCULL_PATCH_FRONT and SHAFTCULL_PATCH_BOTH");
+}
 [[nodiscard]] inline Form as_form(shaftcull_form form) {
   return as_enumerator(form, Form::planes, "form", "SHAFTCULL_FORM_SLAB and SHAFTCULL_FORM_PLANES");
 }

@@ -221,13 +221,13 @@ shaftcull_status shaftcull_patches_create(const shaftcull_source* boxes, const s
 
 shaftcull_status shaftcull_patches_create_polygons(const float* corners, uint64_t corner_count,
                                                    const uint64_t* first_corner, uint64_t patch_count,
-                                                   shaftcull_patches** patches) {
+                                                   shaftcull_patch_sides sides, shaftcull_patches** patches) {
   return guarded([&] {
     shaftcull_patches*& out = given(patches, "patches");
     const auto points = as_vectors(corners, corner_count, "corners");
     const std::vector<std::size_t> offsets = as_offsets(first_corner, patch_count, "first_corner");
     if (offsets.empty() && !points.empty()) refuse("first_corner is NULL; it must say which corners belong together");
-    out = new shaftcull_patches{PatchSet(points, offsets)};
+    out = new shaftcull_patches{PatchSet(points, offsets, as_patch_sides(sides))};
   });
 }
 

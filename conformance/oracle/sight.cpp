@@ -49,6 +49,7 @@ class Answers final : public SightOracle::Questions {
       return to;
     };
     tolerance_ = number(question.tolerance);
+    both_sides_ = question.both_sides;
     const auto patches = [&](const std::vector<Box>& from, const std::vector<Plane>& with_planes,
                              const std::vector<std::vector<Vec3>>& with_corners) {
       const std::vector<AnyBox> all = boxes(from);
@@ -59,7 +60,7 @@ class Answers final : public SightOracle::Questions {
         to[i].has_corners = !with_corners.empty();
         if (to[i].has_corners) {
           to[i].corners = points(with_corners[i]);
-          to[i].planes = planes_of(to[i].corners);
+          if (!question.both_sides) to[i].planes = planes_of(to[i].corners);
         } else {
           to[i].corners = all[i].corners();
           if (!all_planes.empty()) to[i].planes = {all_planes[i]};
@@ -244,33 +245,33 @@ class Answers final : public SightOracle::Questions {
     });
   }
 
-  /// The planes through an edge of one patch and a corner of the other that have no corner of either behind them, and
-  /// one in front: n·x ≥ offset for all corners.
-  [[nodiscard]] static std::vector<AnyPlane> tangents(const Patch& a, const Patch& b) {
+  /// The planes through an edge of one patch and a corner of the other, and those of patches with corners that are seen
+  /// from both sides, that have no corner of either patch behind them, and one in front: n·x ≥ offset for all corners.
+  [[nodiscard]] std::vector<AnyPlane> tangents(const Patch& a, const Patch& b) const {
     std::vector<AnyPlane> planes;
+    const auto add = [&](const AnyPlane& plane) {
+      bool is_in_front = false;
+      bool is_behind = false;
+      for (const Patch* patch : {&a, &b}) {
+        for (const Point& corner : patch->corners) {
+          const Number height = dot(plane.normal, corner) - plane.offset;
+          is_in_front = is_in_front || height > 0;
+          is_behind = is_behind || height < 0;
+        }
+      }
+      if (is_in_front == is_behind) return;
+      if (is_in_front) return planes.push_back(plane);
+      const Point& n = plane.normal;
+      planes.push_back({{Number(-n[0]), Number(-n[1]), Number(-n[2])}, Number(-plane.offset)});
+    };
     for (const auto& [one, other] : {std::pair{&a, &b}, std::pair{&b, &a}}) {
       for (const auto& [p, q] : edges_of(*one)) {
         for (const Point& r : other->corners) {
-          for (const AnyPlane& plane : planes_of({p, q, r})) {
-            bool is_in_front = false;
-            bool is_behind = false;
-            for (const Patch* patch : {&a, &b}) {
-              for (const Point& corner : patch->corners) {
-                const Number height = dot(plane.normal, corner) - plane.offset;
-                is_in_front = is_in_front || height > 0;
-                is_behind = is_behind || height < 0;
-              }
-            }
-            if (is_in_front == is_behind) continue;
-            if (is_in_front) {
-              planes.push_back(plane);
-            } else {
-              const Point& n = plane.normal;
-              planes.push_back({{Number(-n[0]), Number(-n[1]), Number(-n[2])}, Number(-plane.offset)});
-            }
-          }
+          for (const AnyPlane& plane : planes_of({p, q, r})) add(plane);
         }
       }
+      if (!both_sides_ || !one->has_corners) continue;
+      for (const AnyPlane& plane : planes_of(one->corners)) add(plane);
     }
     return planes;
   }
@@ -342,6 +343,7 @@ class Answers final : public SightOracle::Questions {
   Contact contact_;
   bool solids_around_ends_;
   Number tolerance_;
+  bool both_sides_ = false;
   std::vector<Patch> a_;
   std::vector<Patch> b_;
   std::vector<AnyBox> solids_;

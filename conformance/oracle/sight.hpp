@@ -25,7 +25,7 @@ struct SightOccluder {
 };
 
 /// What is asked about. `a_planes` and `b_planes` are empty or as many as patches. So are `a_corners` and `b_corners`;
-/// a patch with corners has its plane from them, and its box is the one around them.
+/// a patch with corners has its plane from them unless it has `both_sides`, and its box is the one around them.
 struct SightQuestion {
   std::vector<Box> a;
   std::vector<Plane> a_planes;
@@ -33,6 +33,7 @@ struct SightQuestion {
   std::vector<Plane> b_planes;
   std::vector<std::vector<Vec3>> a_corners{};
   std::vector<std::vector<Vec3>> b_corners{};
+  bool both_sides = false;
   std::vector<SightOccluder> occluders;
   std::vector<Box> solids;                  ///< those that make pairs occluded
   std::vector<std::vector<Vec3>> hulls{};   ///< likewise: solid hulls of these points

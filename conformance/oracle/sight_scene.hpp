@@ -47,6 +47,7 @@ struct SightScene {
   std::vector<Plane> b_planes;
   std::vector<std::vector<Vec3>> a_corners{};  ///< if there are any, patches are polygons, and boxes are around them
   std::vector<std::vector<Vec3>> b_corners{};
+  PatchSides sides = PatchSides::front;  ///< of these
   std::vector<Box> boxes;
   std::vector<Box> solids;
   std::vector<Vec3> hull_corners;
@@ -76,7 +77,7 @@ SightScene random_sight_scene(SightScenery scenery, std::uint64_t seed, unsigned
 // What follows calls the library, in headers, as the oracle itself does not link it.
 
 inline PatchSet patch_set(const std::vector<Box>& boxes, const std::vector<Plane>& planes,
-                          const std::vector<std::vector<Vec3>>& polygons) {
+                          const std::vector<std::vector<Vec3>>& polygons, PatchSides sides) {
   if (polygons.empty()) return PatchSet(std::span<const Box>(boxes), std::span<const Plane>(planes));
   std::vector<Vec3> corners;
   std::vector<std::size_t> first{0};
@@ -84,11 +85,13 @@ inline PatchSet patch_set(const std::vector<Box>& boxes, const std::vector<Plane
     corners.insert(corners.end(), polygon.begin(), polygon.end());
     first.push_back(corners.size());
   }
-  return PatchSet(std::span<const Vec3>(corners), std::span<const std::size_t>(first));
+  return PatchSet(std::span<const Vec3>(corners), std::span<const std::size_t>(first), sides);
 }
-inline PatchSet first_set(const SightScene& scene) { return patch_set(scene.a, scene.a_planes, scene.a_corners); }
+inline PatchSet first_set(const SightScene& scene) {
+  return patch_set(scene.a, scene.a_planes, scene.a_corners, scene.sides);
+}
 inline PatchSet second_set(const SightScene& scene) {
-  return scene.is_of_one_set ? first_set(scene) : patch_set(scene.b, scene.b_planes, scene.b_corners);
+  return scene.is_of_one_set ? first_set(scene) : patch_set(scene.b, scene.b_planes, scene.b_corners, scene.sides);
 }
 
 /// In the order boxes, solids, hulls, polygons, triangles.
@@ -114,6 +117,7 @@ inline oracle::SightQuestion question_of(const SightScene& scene, const Occluder
   question.b_planes = scene.is_of_one_set ? scene.a_planes : scene.b_planes;
   question.a_corners = scene.a_corners;
   question.b_corners = scene.is_of_one_set ? scene.a_corners : scene.b_corners;
+  question.both_sides = scene.sides == PatchSides::both;
   question.tolerance = scene.tolerance;
   question.contact = scene.contact;
   question.solids_around_ends = scene.solids_around_ends;

@@ -87,6 +87,12 @@ enum class Sight : std::uint8_t {
 /// Returns the name, as in files and in Python: "undecided", "clear", "occluded", "facing_away".
 [[nodiscard]] SHAFTCULL_EXPORT const char* name(Sight sight) noexcept;
 
+/// From where a patch with corners is seen.
+enum class PatchSides : std::uint8_t {
+  front,  ///< from the side from which its corners run counter-clockwise
+  both,   ///< from both sides: it has no plane, and no pair of it is facing_away
+};
+
 /// A set of patches, in a tree. A set holds copies of the boxes and planes; copies of the set share them. A set that
 /// was moved from has no patches.
 class SHAFTCULL_EXPORT PatchSet {
@@ -101,13 +107,14 @@ class SHAFTCULL_EXPORT PatchSet {
   explicit PatchSet(const BoxView& boxes, std::span<const Plane> planes = {});
   explicit PatchSet(std::span<const Box> boxes, std::span<const Plane> planes = {});
   /// Builds a set of convex polygons, by their corners. Patch i has corners[first_corner[i] … first_corner[i + 1]), 3
-  /// to 8 of them, in order around it. It faces the side from which they run counter-clockwise. A patch whose corners
-  /// are slightly out of plane has the planes of the triangles that its first corner forms with its other edges; a
-  /// patch without area has no plane. Convexity is not checked. Throws BadBound, with the position, for a corner that
-  /// is not finite, and InvalidArgument for another number of corners, for positions that do not ascend from 0 to
-  /// corners.size(), and for 2³² − 1 patches or more. O(n log n); allocates about 150 bytes per patch of 4 corners, and
-  /// 100 if every patch is the box around it.
-  explicit PatchSet(std::span<const Vec3> corners, std::span<const std::size_t> first_corner);
+  /// to 8 of them, in order around it. It faces the side from which they run counter-clockwise, or both sides. A patch
+  /// whose corners are slightly out of plane has the planes of the triangles that its first corner forms with its other
+  /// edges; a patch without area has no plane. Convexity is not checked. Throws BadBound, with the position, for a
+  /// corner that is not finite, and InvalidArgument for another number of corners, for positions that do not ascend
+  /// from 0 to corners.size(), for 2³² − 1 patches or more, and if `sides` is no enumerator. O(n log n); allocates
+  /// about 150 bytes per patch of 4 corners, and 100 if every patch is the box around it.
+  explicit PatchSet(std::span<const Vec3> corners, std::span<const std::size_t> first_corner,
+                    PatchSides sides = PatchSides::front);
 
   /// The number of patches.
   [[nodiscard]] std::size_t size() const noexcept;

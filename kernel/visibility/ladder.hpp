@@ -21,6 +21,7 @@
 #include "visibility/known_cones.hpp"
 #include "visibility/occluders.hpp"
 #include "visibility/own_faces.hpp"
+#include "visibility/own_planes.hpp"
 #include "visibility/patch_tree.hpp"
 #include "visibility/sight_job.hpp"
 
@@ -110,7 +111,7 @@ class Ladder {
                                             Selection& polygons, std::uint64_t asked);
   [[nodiscard]] std::uint64_t keep_any_whole(Selection& candidates, std::uint64_t asked);
   [[nodiscard]] std::uint64_t part_reaches(const Side& rows, unsigned row, const Side& columns, std::size_t part,
-                                           std::uint64_t asked) const;
+                                           std::uint64_t asked);
   [[nodiscard]] std::uint64_t look_at_triangles(const Side& rows, unsigned row, const Side& columns,
                                                 std::uint64_t lanes, Selection& candidates);
   [[nodiscard]] std::uint64_t look_at_all_triangles(const Side& rows, unsigned row, const Side& columns,
@@ -120,6 +121,8 @@ class Ladder {
   [[nodiscard]] std::uint64_t certainly_through(std::uint32_t occluder, unsigned count, std::uint64_t asked) const;
   [[nodiscard]] std::uint64_t certainly_through(const std::array<Vec3, 3>& triangle, unsigned count,
                                                 std::uint64_t asked) const;
+  [[nodiscard]] std::uint64_t behind_own_planes(const Side& rows, unsigned row, const Side& columns,
+                                                std::span<const Vec3> points, std::uint64_t asked);
   [[nodiscard]] std::uint64_t drop_separate(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes,
                                             Selection& candidates);
   [[nodiscard]] std::uint64_t reach_in_lanes(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes,
@@ -160,6 +163,7 @@ class Ladder {
   std::vector<std::uint64_t> sure_lanes_;  ///< of candidates at hand: lanes that one certainly reaches into
   std::vector<std::size_t> parts_left_;    ///< triangles of an occluder at hand that may reach in
   OwnFacesCache own_faces_;
+  OwnPlanesOfRow own_planes_;                  ///< of the row at hand
   std::vector<PointsBetween> points_between_;  ///< of candidates at hand that lanes are asked about
   std::vector<Segments> segments_;
   std::vector<PointsBehind> points_behind_;

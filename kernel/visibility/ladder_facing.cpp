@@ -31,7 +31,7 @@ double reach_of(const float (&a)[6], const float (&b)[6]) noexcept {
 
 }  // namespace
 
-/// The planes of a lane of a side whose patches have corners.
+/// The planes of a lane of a side whose patches have corners, and planes.
 FacingPlanes Ladder::Side::facing_planes_of(unsigned lane) const noexcept {
   return are_patches ? facing_planes(corners(lane).all()) : set.tree.turned_groups()[first + lane].planes;
 }
@@ -88,12 +88,32 @@ std::uint64_t Ladder::facing_away(const Side& lanes, const Side& one, unsigned l
   }
   std::uint64_t away = lanes.with_behind(faces, asked, kernels) | lanes.behind_plane_of(one, lane, kernels);
   for_each_lane(asked & ~away & (one_has_boxes ? lanes.not_boxes : ~std::uint64_t{0}), [&](unsigned other) {
-    if ((!lanes.has_boxes_only(other) && one.is_behind(lane, lanes, other)) ||
-        (!one_has_boxes && lanes.is_behind(other, one, lane))) {
+    if ((lanes.has_planes() && !lanes.has_boxes_only(other) && one.is_behind(lane, lanes, other)) ||
+        (one.has_planes() && !one_has_boxes && lanes.is_behind(other, one, lane))) {
       away |= bit(other);
     }
   });
   return asked & away;
+}
+
+/// Lanes of `asked` with a patch that is seen from both sides, and behind whose plane points lie, on the other side
+/// than both patches. A row of pairs begins with own_planes_.begin().
+std::uint64_t Ladder::behind_own_planes(const Side& rows, unsigned row, const Side& columns,
+                                        std::span<const Vec3> points, std::uint64_t asked) {
+  const bool of_row = rows.has_both_sides();
+  const bool of_columns = columns.has_both_sides();
+  if (!of_row && !of_columns) return 0;
+  std::uint64_t behind = 0;
+  for_each_lane(asked, [&](unsigned lane) {
+    const OwnPlanes& planes = own_planes_.of(lane, [&](OwnPlanes& make) {
+      const PatchCorners a = rows.corners(row);
+      const PatchCorners b = columns.corners(lane);
+      if (of_row) make.add(a.all(), b.all());
+      if (of_columns) make.add(b.all(), a.all());
+    });
+    if (planes.separate(points, job_.contact, job_.a.tolerance)) behind |= bit(lane);
+  });
+  return behind;
 }
 
 /// Lanes of `asked` on or behind all of whose planes an occluder lies.

@@ -72,6 +72,8 @@ struct Ladder::Side {
   }
 
   [[nodiscard]] bool has_planes() const noexcept { return planes.error != nullptr; }
+  /// Whether patches have corners and are seen from both sides.
+  [[nodiscard]] bool has_both_sides() const noexcept { return set.tree.has_corners() && !has_planes(); }
   /// Whether lanes are boxes rather than something in them.
   [[nodiscard]] bool are_boxes() const noexcept { return are_patches && not_boxes == 0; }
   /// Whether a patch is the box around it, or all patches of a group are.

@@ -100,7 +100,7 @@ std::uint64_t Ladder::look_at_triangles(const Side& rows, unsigned row, const Si
 
 /// Lanes of `asked` with a box that the box around a triangle reaches into, in front of both patches.
 std::uint64_t Ladder::part_reaches(const Side& rows, unsigned row, const Side& columns, std::size_t part,
-                                   std::uint64_t asked) const {
+                                   std::uint64_t asked) {
   const SiblingKernels& kernels = job_.kernels;
   const auto number = static_cast<std::uint32_t>(part);
   std::uint64_t kept = 0;
@@ -110,7 +110,9 @@ std::uint64_t Ladder::part_reaches(const Side& rows, unsigned row, const Side& c
   const auto behind = [&](const Side& side, std::uint64_t of) {
     return side.has_planes() ? kernels.points_behind_planes(side.planes, side.count, vertices.data(), 3, of) : 0;
   };
-  return behind(rows, bit(row)) != 0 ? 0 : kept & ~behind(columns, kept);
+  if (behind(rows, bit(row)) != 0) return 0;
+  kept &= ~behind(columns, kept);
+  return kept & ~behind_own_planes(rows, row, columns, vertices, kept);
 }
 
 /// Likewise of pairs whose corners are asked about later: writes the lanes of each triangle to part_lanes_, and those
@@ -124,10 +126,21 @@ std::uint64_t Ladder::look_at_all_triangles(const Side& rows, unsigned row, cons
   std::uint64_t decided = 0;
   part_lanes_.clear();
   sure_lanes_.clear();
+  own_planes_.begin();
   for (std::size_t i = 0; i != candidates.count; ++i) {
-    const std::uint64_t asked = candidates.kept[i] & lanes & ~decided;
+    std::uint64_t asked = candidates.kept[i] & lanes & ~decided;
     const std::size_t first = occluders.first_part[candidates.list[i]];
     const std::size_t end = first + occluders.parts_of(candidates.list[i]);
+    if (first == end) {
+      std::span<const Vec3> points = occluders.points_of(candidates.list[i]);
+      PatchCorners of_box;
+      if (points.empty()) {
+        const float(&box)[8] = occluders.boxes[candidates.list[i]].face;
+        of_box = corners_of_box({{box[0], box[1], box[2]}, {box[3], box[4], box[5]}});
+        points = of_box.all();
+      }
+      asked &= ~behind_own_planes(rows, row, columns, points, asked);
+    }
     std::uint64_t reached = first == end ? asked : 0;
     std::uint64_t sure = first == end ? certainly_through(candidates.list[i], columns.count, asked) : 0;
     for (std::size_t part = first; part != end; ++part) {

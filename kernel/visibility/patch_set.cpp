@@ -86,7 +86,11 @@ std::optional<Plane> plane_of_box(std::span<const Vec3> corners, const Box& box)
 
 // Where every patch is the box around it, boxes and planes are the same patches, and quicker.
 std::shared_ptr<const kernel::PatchTree> patch_tree(std::span<const Vec3> corners,
-                                                    std::span<const std::size_t> first_corner) {
+                                                    std::span<const std::size_t> first_corner, PatchSides sides) {
+  if (sides > PatchSides::both) {
+    kernel::fail(InvalidArgument("sides = " + std::to_string(static_cast<unsigned>(sides)) +
+                                 " is neither PatchSides::front nor PatchSides::both"));
+  }
   return kernel::in_float_environment([&] {
     kernel::require_corner_lists(corners, first_corner, "patch", 3, kernel::most_patch_corners);
     const std::size_t count = first_corner.empty() ? 0 : first_corner.size() - 1;
@@ -96,10 +100,11 @@ std::shared_ptr<const kernel::PatchTree> patch_tree(std::span<const Vec3> corner
     for (std::size_t i = 0; i != count; ++i) {
       const std::span<const Vec3> of_patch = corners.subspan(first_corner[i], first_corner[i + 1] - first_corner[i]);
       const Box box = kernel::box_around_corners(of_patch);
-      const std::optional<Plane> plane = plane_of_box(of_patch, box);
-      if (!plane) return std::make_shared<const kernel::PatchTree>(corners, first_corner);
+      const std::optional<Plane> plane = sides == PatchSides::front ? plane_of_box(of_patch, box) : std::nullopt;
+      if (sides == PatchSides::front ? !plane : !kernel::are_corners_of_box(of_patch, box))
+        return std::make_shared<const kernel::PatchTree>(corners, first_corner, sides);
       boxes.push_back(box);
-      planes.push_back(*plane);
+      if (plane) planes.push_back(*plane);
     }
     return std::make_shared<const kernel::PatchTree>(BoxStream(boxes).view(), planes);
   });
@@ -107,8 +112,8 @@ std::shared_ptr<const kernel::PatchTree> patch_tree(std::span<const Vec3> corner
 
 }  // namespace
 
-PatchSet::PatchSet(std::span<const Vec3> corners, std::span<const std::size_t> first_corner)
-    : PatchSet(patch_tree(corners, first_corner)) {}
+PatchSet::PatchSet(std::span<const Vec3> corners, std::span<const std::size_t> first_corner, PatchSides sides)
+    : PatchSet(patch_tree(corners, first_corner, sides)) {}
 
 PatchSet::PatchSet(const BoxView& boxes, std::span<const Plane> planes) : PatchSet(patch_tree(boxes, planes)) {}
 

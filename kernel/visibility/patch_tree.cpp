@@ -183,7 +183,7 @@ std::uint64_t PatchTree::groups_of_others(std::size_t group, unsigned count) con
   return groups_of_others_.empty() ? 0 : bits_at(groups_of_others_, group, count);
 }
 
-PatchTree::PatchTree(std::span<const Vec3> corners, std::span<const std::size_t> first_corner) {
+PatchTree::PatchTree(std::span<const Vec3> corners, std::span<const std::size_t> first_corner, PatchSides sides) {
   if (first_corner.size() < 2) return;
   const std::size_t count = first_corner.size() - 1;
   const auto corners_at = [&](std::size_t i) {
@@ -192,11 +192,10 @@ PatchTree::PatchTree(std::span<const Vec3> corners, std::span<const std::size_t>
   std::vector<Box> boxes;
   std::vector<Plane> planes;
   boxes.reserve(count);
-  planes.reserve(count);
   std::size_t most = 0;
   for (std::size_t i = 0; i != count; ++i) {
     boxes.push_back(box_around_corners(corners_at(i)));
-    planes.push_back(plane_near(corners_at(i)));
+    if (sides == PatchSides::front) planes.push_back(plane_near(corners_at(i)));
     most = std::max(most, corners_at(i).size());
   }
   *this = PatchTree(BoxStream(boxes).view(), planes);

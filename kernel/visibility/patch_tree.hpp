@@ -13,6 +13,7 @@
 #include "kernels/siblings/siblings.hpp"
 #include "shaftcull/bounds.hpp"
 #include "shaftcull/streams.hpp"
+#include "shaftcull/visibility.hpp"
 #include "visibility/turned_groups.hpp"
 
 namespace shaftcull::kernel {
@@ -98,7 +99,7 @@ class PatchTree {
   /// Boxes are finite with lo ≤ hi, planes finite with normals that are not zero, and there are none or as many.
   PatchTree(const BoxView& boxes, std::span<const Plane> planes);
   /// Corners are finite, 3 to most_patch_corners of each patch: those of patch i are from first_corner[i] on.
-  PatchTree(std::span<const Vec3> corners, std::span<const std::size_t> first_corner);
+  PatchTree(std::span<const Vec3> corners, std::span<const std::size_t> first_corner, PatchSides sides);
 
   [[nodiscard]] std::span<const std::uint32_t> order() const noexcept { return order_; }
   [[nodiscard]] const std::vector<PatchGroup>& groups() const noexcept { return groups_; }
@@ -108,7 +109,7 @@ class PatchTree {
   /// patch lies in it: as OpenBox has it (exact/blocking.hpp). Padded as streams are.
   [[nodiscard]] const float* group_inward(std::size_t f) const noexcept { return group_inward_[f].data(); }
   [[nodiscard]] bool has_planes() const noexcept { return patch_streams_.has_planes(); }
-  /// Whether patches have corners. Then the planes in streams are near those of the corners.
+  /// Whether patches have corners. Then the planes in streams, if there are any, are near those of the corners.
   [[nodiscard]] bool has_corners() const noexcept { return corner_streams_.corners() != 0; }
   [[nodiscard]] const CornerStreams& corner_streams() const noexcept { return corner_streams_; }
   /// Of the patch at a position of the order: its corners, or the different ones of its box.

@@ -81,7 +81,7 @@ std::vector<bool> are_of_rectangles(std::span<const MeshTriangle> triangles) {
 
 }  // namespace
 
-PatchSet PatchOutlines::set_of(std::span<const std::uint32_t> some) const {
+PatchSet PatchOutlines::set_of(std::span<const std::uint32_t> some, PatchSides sides) const {
   std::vector<Vec3> some_corners;
   std::vector<std::size_t> some_first{0};
   for (const std::uint32_t patch : some) {
@@ -89,7 +89,7 @@ PatchSet PatchOutlines::set_of(std::span<const std::uint32_t> some) const {
                         corners.begin() + static_cast<std::ptrdiff_t>(first[patch + 1]));
     some_first.push_back(some_corners.size());
   }
-  return PatchSet(some_corners, some_first);
+  return PatchSet(some_corners, some_first, sides);
 }
 
 PatchOutlines outlines_of(std::span<const MeshTriangle> triangles, std::span<const MeshPatch> patches,

@@ -21,7 +21,7 @@ struct PatchOutlines {
 
   [[nodiscard]] bool empty() const noexcept { return corners.empty(); }
   /// Some of them as a set.
-  [[nodiscard]] PatchSet set_of(std::span<const std::uint32_t> some) const;
+  [[nodiscard]] PatchSet set_of(std::span<const std::uint32_t> some, PatchSides sides) const;
 };
 
 /// The outlines of patches, each with the box around it: three corners, rounded to floats. A patch of a rectangle

@@ -242,7 +242,7 @@ float rounding_of_planes(std::span<const Box> boxes, double width) {
 }  // namespace
 
 PatchSet SeesScene::patch_set(std::span<const std::uint32_t> some) const {
-  if (!outlines.empty()) return outlines.set_of(some);
+  if (!outlines.empty()) return outlines.set_of(some, planes.empty() ? PatchSides::both : PatchSides::front);
   std::vector<Box> some_boxes;
   std::vector<Plane> some_planes;
   for (const std::uint32_t patch : some) {
@@ -268,7 +268,7 @@ SeesScene make_sees_scene(MeshScene mesh, const SeesChoice& choice, const std::s
     scene.boxes.push_back(box_of(patch));
     if (!choice.two_sided) scene.planes.push_back(plane_of(scene.mesh.triangles[patch.triangle]));
   }
-  if (!choice.two_sided) scene.outlines = outlines_of(scene.mesh.triangles, scene.patches, scene.boxes);
+  scene.outlines = outlines_of(scene.mesh.triangles, scene.patches, scene.boxes);
   if (!scene.outlines.empty()) scene.tolerance = rounding_of_planes(scene.boxes, narrowest_slanted(scene));
   OccluderMaker(scene).make(objects_of(scene.mesh, choice.solid, source), choice);
   return scene;

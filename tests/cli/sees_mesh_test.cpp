@@ -123,6 +123,19 @@ TEST_F(CliSeesMesh, OneSlantedRoofAmongManyWallsIsAnsweredByItsCorners) {
   EXPECT_EQ(pairs["clear"], 0);
 }
 
+// The corner of a box around the upper facet reaches through the wall; the facet does not.
+TEST_F(CliSeesMesh, FacetsOfTwoSidesHaveTheirCorners) {
+  const std::string slanted = folder_.write("slanted.obj",
+                                            "o lower\nv 0 0 0\nv 4 0 0\nv 4 0 4\nf 1 2 3\n"
+                                            "o upper\nv 0 4 0\nv 4 4 0\nv 4 4 4\nf 4 6 5\n"
+                                            "o aside\nv 0 2 3.5\nv 1 2 3.75\nv 0 2 4\nf 7 8 9\n");
+  const auto pairs = [&](const std::vector<std::string>& more) {
+    return nlohmann::json::parse(
+        output_of(with({"sees", slanted, "--patches", "99", "--format", "json"}, more)))["pairs"];
+  };
+  EXPECT_EQ(pairs({"--two-sided"})["clear"], 3);
+}
+
 TEST_F(CliSeesMesh, FacetsThatTurnAwayFaceAwayUnlessTheyHaveTwoSides) {
   const std::string away = folder_.write("away.obj",
                                          "o left\nv 0 -1 -1\nv 0 1 -1\nv 0 1 1\nf 3 2 1\n"

@@ -62,10 +62,10 @@ struct Walls {
     }
     return to;
   }
-  [[nodiscard]] PatchSet patches() const {
+  [[nodiscard]] PatchSet patches(PatchSides sides = PatchSides::front) const {
     std::vector<std::size_t> first;
     for (std::size_t i = 0; i <= corners.size(); i += 4) first.push_back(i);
-    return PatchSet(std::span<const Vec3>(rounded()), std::span<const std::size_t>(first));
+    return PatchSet(std::span<const Vec3>(rounded()), std::span<const std::size_t>(first), sides);
   }
   [[nodiscard]] Occluders occluders() const {
     const std::vector<Vec3> at = rounded();
@@ -192,6 +192,23 @@ TEST(VisibilityOfCorners, PolygonsThatAreTheirBoxesAreAnsweredAsBoxesWithPlanes)
   EXPECT_EQ(all.blocks, expected.blocks);
   EXPECT_EQ(all.undecided, expected.undecided);
   EXPECT_EQ(all.candidates, expected.candidates);
+}
+
+// Squares in a row, each turned by half a radian against the last: boxes around them overlap, they do not.
+TEST(VisibilityOfCorners, PatchesOfBothSidesAreSeenFromBothAndHideByTheirCorners) {
+  Walls walls;
+  walls.add({0, 0, 0}, {4, 0, 4}, {0, 4, 0}, 1, 1);
+  walls.add({4, 0, 0}, {4, 0, 4}, {0, 4, 0}, 1, 1);
+  walls.add({8, 0, 0}, {4, 0, 4}, {0, 4, 0}, 1, 1);
+  Occluders occluders;  // the one in the middle
+  occluders.add_polygons(std::vector<Vec3>{{3, -9, -1}, {13, -9, 9}, {13, 9, 9}, {3, 9, -1}},
+                         std::vector<std::size_t>{0, 4});
+  const SightCounts without = count_visibility(walls.patches(PatchSides::both), Occluders());
+  EXPECT_EQ(without.clear, 3U);
+  const SightCounts with = count_visibility(walls.patches(PatchSides::both), occluders);
+  EXPECT_EQ(with.occluded, 1U);  // the first and the last
+  EXPECT_EQ(with.clear, 2U);     // the one in the middle lies in the polygon
+  EXPECT_EQ(count_visibility(walls.patches(), Occluders()).facing_away, 3U);
 }
 
 TEST(VisibilityOfCorners, ToleranceMovesEachCoordinate) {

@@ -40,6 +40,15 @@ std::string bad_bound(const Call& call) {
 
 std::vector<Box> boxes_with(const Box& last) { return {unit, unit, last}; }
 
+TEST(VisibilityErrors, PatchesHaveOneSideOrTwo) {
+  const std::vector<Vec3> corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0.5F}};
+  const std::vector<std::size_t> first = {0, 3};
+  EXPECT_TRUE(PatchSet(corners, first, PatchSides::front).has_planes());
+  EXPECT_FALSE(PatchSet(corners, first, PatchSides::both).has_planes());
+  EXPECT_EQ(message_of([&] { PatchSet(corners, first, static_cast<PatchSides>(2)); }),
+            "sides = 2 is neither PatchSides::front nor PatchSides::both");
+}
+
 TEST(VisibilityErrors, PatchesAreFiniteAndHaveAnInside) {
   for (const float x : {nan, infinity, -infinity}) {
     for (std::size_t k = 0; k != 6; ++k) {

@@ -163,7 +163,7 @@ TEST(OwnFaces, AreInFrontOfNoPatchThatTheirHullHides) {
       corners.insert(corners.end(), other.begin(), other.end());
       first.push_back(corners.size());
     }
-    const kernel::PatchTree tree(corners, first);
+    const kernel::PatchTree tree(corners, first, PatchSides::front);
     kernel::OwnFacesCache cache;
     const BoxRow around = row_of(box_around(of.solid));
     const auto find = [&] { return cache.of(tree, 0, 64, 7, mesh, around, of.tolerance, of.coordinate()); };

@@ -1151,15 +1151,20 @@ static void visibility(void) {
   FAILS(shaftcull_patches_create(&bad, NULL, 0, &none), SHAFTCULL_BAD_BOUND, "1");
   CHECK(shaftcull_error_position() == 1 && none == NULL);
   shaftcull_patches* leaning = NULL;
-  OK(shaftcull_patches_create_polygons(square, 4, first_of_square, 1, &leaning));
+  OK(shaftcull_patches_create_polygons(square, 4, first_of_square, 1, SHAFTCULL_PATCH_FRONT, &leaning));
   OK(shaftcull_patches_describe(leaning, &patches));
   CHECK(patches.count == 1 && patches.order[0] == 0);
   shaftcull_patches_free(leaning);
-  REFUSED(shaftcull_patches_create_polygons(NULL, 4, first_of_square, 1, &none), "corners is NULL");
-  REFUSED(shaftcull_patches_create_polygons(square, 4, NULL, 1, &none), "first_corner is NULL");
-  REFUSED(shaftcull_patches_create_polygons(square, 4, NULL, 0, &none), "first_corner is NULL");
-  REFUSED(shaftcull_patches_create_polygons(square, 3, first_of_square, 1, &none), "end with the number of corners, 3");
-  REFUSED(shaftcull_patches_create_polygons(square, 4, first_of_square, 1, NULL), "patches is NULL");
+  REFUSED(shaftcull_patches_create_polygons(square, 4, first_of_square, 1, 2, &none),
+          "sides is 2; it must be SHAFTCULL_PATCH_FRONT or SHAFTCULL_PATCH_BOTH");
+  REFUSED(shaftcull_patches_create_polygons(NULL, 4, first_of_square, 1, SHAFTCULL_PATCH_FRONT, &none),
+          "corners is NULL");
+  REFUSED(shaftcull_patches_create_polygons(square, 4, NULL, 1, SHAFTCULL_PATCH_FRONT, &none), "first_corner is NULL");
+  REFUSED(shaftcull_patches_create_polygons(square, 4, NULL, 0, SHAFTCULL_PATCH_FRONT, &none), "first_corner is NULL");
+  REFUSED(shaftcull_patches_create_polygons(square, 3, first_of_square, 1, SHAFTCULL_PATCH_FRONT, &none),
+          "end with the number of corners, 3");
+  REFUSED(shaftcull_patches_create_polygons(square, 4, first_of_square, 1, SHAFTCULL_PATCH_FRONT, NULL),
+          "patches is NULL");
   const shaftcull_source ball_source = shaftcull_spheres(balls, 2);
   REFUSED(shaftcull_patches_create(&ball_source, NULL, 0, &none), "boxes is a source of other bounds");
 

@@ -298,8 +298,9 @@ TEST(CVisibility, PolygonsAndATolerance) {
   const std::vector<float> corners{0, 0, 0, 1, 0, 1, 1,     1, 1, 3,     0, 3, 4,    0,
                                    4, 4, 1, 4, 6, 0, 6.25F, 7, 0, 7.25F, 7, 1, 7.25F};
   const std::vector<std::uint64_t> first{0, 3, 6, 9};
-  const auto patches = made<PatchesHandle>(shaftcull_patches_create_polygons, corners.data(), std::uint64_t{9},
-                                           first.data(), std::uint64_t{3});
+  const auto patches =
+      made<PatchesHandle>(shaftcull_patches_create_polygons, corners.data(), std::uint64_t{9}, first.data(),
+                          std::uint64_t{3}, shaftcull_patch_sides{SHAFTCULL_PATCH_FRONT});
   const auto occluders = made<OccludersHandle>(shaftcull_occluders_create);
   shaftcull_visibility_options options = shaftcull_default_visibility_options();
   EXPECT_EQ(options.tolerance, 0.0F);
@@ -308,8 +309,14 @@ TEST(CVisibility, PolygonsAndATolerance) {
   ASSERT_EQ(shaftcull_visibility(patches.get(), nullptr, occluders.get(), &options, nullptr, nullptr, &counts),
             SHAFTCULL_OK);
   EXPECT_EQ(counts.facing_away, 3U);
+  const auto seen_from_both =
+      made<PatchesHandle>(shaftcull_patches_create_polygons, corners.data(), std::uint64_t{9}, first.data(),
+                          std::uint64_t{3}, shaftcull_patch_sides{SHAFTCULL_PATCH_BOTH});
+  ASSERT_EQ(shaftcull_visibility(seen_from_both.get(), nullptr, occluders.get(), &options, nullptr, nullptr, &counts),
+            SHAFTCULL_OK);
+  EXPECT_EQ(counts.clear, 3U);
   const auto lower = made<PatchesHandle>(shaftcull_patches_create_polygons, corners.data(), std::uint64_t{3},
-                                         first.data(), std::uint64_t{1});
+                                         first.data(), std::uint64_t{1}, shaftcull_patch_sides{SHAFTCULL_PATCH_FRONT});
   const shaftcull_box point{{6, 0, 6.25F}, {6, 0, 6.25F}};
   const shaftcull_source source = shaftcull_boxes(&point, 1);
   const auto receiver = made<PatchesHandle>(shaftcull_patches_create, &source,

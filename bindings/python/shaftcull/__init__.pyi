@@ -861,6 +861,7 @@ class Patches:
     boxes: float32 (n, 6), or as those of BoxStream: around facets, points, or cells of a volume. Or corners of
         convex polygons, float32 (n, k, 3) or a list of arrays (k, 3), 3 to 8 of them: a polygon faces the side
         from which its corners run counter-clockwise, and has no plane of `planes`.
+    sides: 'both' is for polygons that are seen from both sides. Boxes without planes always are.
     planes: float32 (n, 4), or (4,) for all: normal and offset. A patch faces where its normal points. Planes
         are never rounded outwards: round those of float64 by astype(numpy.float32).
     rounding: 'outwards' takes boxes of float64, too, and contains them: pairs that are clear or occluded are so
@@ -870,7 +871,12 @@ class Patches:
     TypeError or ValueError for other arrays.
     """
     def __init__(
-        self, boxes: _Floats | Sequence[_Floats], planes: _Floats | None = None, *, rounding: _Rounding | None = None
+        self,
+        boxes: _Floats | Sequence[_Floats],
+        planes: _Floats | None = None,
+        *,
+        rounding: _Rounding | None = None,
+        sides: Literal["front", "both"] = "front",
     ) -> None: ...
     def __len__(self) -> int: ...
     @property

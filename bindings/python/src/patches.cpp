@@ -31,6 +31,12 @@ struct CornersIn {
   }
 };
 
+PatchSides sides_in(const std::string& sides) {
+  if (sides == "front") return PatchSides::front;
+  if (sides == "both") return PatchSides::both;
+  throw py::value_error("sides is '" + sides + "'; it must be 'front' or 'both'");
+}
+
 /// Whether an argument is corners: an array (n, k, 3), where (n, 2, 3) are boxes, or a list of arrays (k, 3).
 bool are_corners(const py::object& given) {
   if (py::isinstance<py::array>(given)) {
@@ -89,7 +95,7 @@ py::dict dict_of(const std::vector<std::pair<std::string, std::size_t>>& numbers
 }  // namespace
 
 PatchSet patches_in(const py::object& boxes, const py::object& planes, const Rounding& rounding,
-                    const std::string& name, const std::string& planes_name) {
+                    const std::string& name, const std::string& planes_name, PatchSides sides) {
   if (py::isinstance<PatchSet>(boxes)) {
     if (!planes.is_none()) throw py::value_error(planes_name + " are given, but " + name + " are Patches already");
     return boxes.cast<PatchSet>();
@@ -100,11 +106,13 @@ PatchSet patches_in(const py::object& boxes, const py::object& planes, const Rou
     const CornersIn in(boxes, name);
     const py::gil_scoped_release release;
     try {
-      return PatchSet(in.corners, in.first);
+      return PatchSet(in.corners, in.first, sides);
     } catch (const BadBound& bad) {
       throw BadBound(bad.index(), name + ": " + bad.what());
     }
   }
+  if (sides == PatchSides::both && !planes.is_none())
+    throw py::value_error(planes_name + " are given, but sides is 'both', and such patches have none");
   const BoxesInStreams in(boxes, name, rounding);
   const std::vector<Plane> facing = planes_in(planes, planes_name, in.count(), 2);
   const py::gil_scoped_release release;
@@ -169,6 +177,7 @@ Patches for several calls of visibility(), in a tree. They never change. len() i
 boxes: float32 (n, 6), or as those of BoxStream: around facets, points, or cells of a volume. Or corners of
     convex polygons, float32 (n, k, 3) or a list of arrays (k, 3), 3 to 8 of them: a polygon faces the side
     from which its corners run counter-clockwise, and has no plane of `planes`.
+sides: 'both' is for polygons that are seen from both sides. Boxes without planes always are.
 planes: float32 (n, 4), or (4,) for all: normal and offset. A patch faces where its normal points. Planes
     are never rounded outwards: round those of float64 by astype(numpy.float32).
 rounding: 'outwards' takes boxes of float64, too, and contains them: pairs that are clear or occluded are so
@@ -176,10 +185,11 @@ rounding: 'outwards' takes boxes of float64, too, and contains them: pairs that 
 
 BadBound, with the index, for a box that is not finite or has lo > hi, and for a plane without a normal.
 TypeError or ValueError for other arrays.)")
-      .def(py::init([](const py::object& boxes, const py::object& planes, const py::object& rounding) {
-             return patches_in(boxes, planes, rounding_in(rounding), "boxes", "planes");
+      .def(py::init([](const py::object& boxes, const py::object& planes, const py::object& rounding,
+                       const std::string& sides) {
+             return patches_in(boxes, planes, rounding_in(rounding), "boxes", "planes", sides_in(sides));
            }),
-           arg("boxes"), arg("planes") = none, py::kw_only(), arg("rounding") = none)
+           arg("boxes"), arg("planes") = none, py::kw_only(), arg("rounding") = none, arg("sides") = "front")
       .def("__len__", &PatchSet::size)
       .def_property_readonly("has_planes", &PatchSet::has_planes, "bool: whether the patches have planes.")
       .def_property_readonly(

@@ -16,7 +16,7 @@ namespace shaftcull::python {
 
 /// A set of patches: of arrays, or the one that shaftcull.Patches holds. Errors name the arguments.
 PatchSet patches_in(const py::object& boxes, const py::object& planes, const Rounding& rounding,
-                    const std::string& name, const std::string& planes_name);
+                    const std::string& name, const std::string& planes_name, PatchSides sides = PatchSides::front);
 
 /// What Python knows as shaftcull.Occluders. It never changes.
 struct OccludersHolder {

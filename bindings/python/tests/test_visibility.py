@@ -29,6 +29,13 @@ def test_corners_make_patches():
     above = [np.array([[0, 0, 0.125], [0, 1, 0.125], [1, 1, 0.125], [1, 0, 0.125]], np.float32)]
     assert sc.count_visibility(low, above)["clear"] == 1
     assert sc.count_visibility(low, above, tolerance=0.125)["facing_away"] == 1
+    of_both = sc.Patches(leaning, sides="both")
+    assert sc.Patches(leaning).has_planes and not of_both.has_planes
+    assert sc.count_visibility(of_both)["clear"] == 1
+    with pytest.raises(ValueError, match="sides is 'back'; it must be 'front' or 'both'"):
+        sc.Patches(leaning, sides="back")
+    with pytest.raises(ValueError, match="planes are given, but sides is 'both'"):
+        sc.Patches([[0, 0, 0, 1, 1, 1]], planes=[0, 0, 1, 0], sides="both")
     with pytest.raises(ValueError, match="planes are given, but patches are corners"):
         sc.count_visibility(low, planes=[0, 0, 1, 0])
     with pytest.raises(ValueError, match="3 to 8"):

@@ -455,6 +455,8 @@ export interface VisibilityScene {
    * 3 floats. A patch faces the side from which its corners run counter-clockwise.
    */
   corners?: readonly Floats[];
+  /** 'both' if patches of `corners` and `cornersB` are seen from both sides; 'front' without it. */
+  sides?: 'front' | 'both';
   /** The other set; without it, each two patches of one set are a pair, once. */
   patchesB?: Floats;
   planesB?: Floats;

@@ -8,15 +8,18 @@ import {sourceOf} from './sources.js';
 const sightNames = ['undecided', 'clear', 'occluded', 'facing_away'];
 const parts = [
   'patches', 'planes', 'corners', 'patchesB', 'planesB', 'cornersB', 'boxes', 'solids', 'hulls', 'polygons', 'triangles',
+  'sides',
 ];
 const countOptions = ['contact', 'tolerance', 'solidsAroundEnds', 'findSolids', 'memory'];
+const patchSides = ['front', 'both'];
 const blockWords = 5;  // of shaftcull_pair_block
 
 /** Patches by their boxes, named `name`, or by their corners. */
-function patchesOf(scratch, make, boxes, planes, corners, name, cornersName) {
+function patchesOf(scratch, make, boxes, planes, corners, sides, name, cornersName) {
   if (corners) {
     if (boxes || planes) throw new TypeError(`${cornersName} are patches: there are no other patches, and no planes`);
-    return make('shaftcull_patches_free', 'shaftcull_patches_create_polygons', ...cornersOf(scratch, corners, cornersName));
+    return make('shaftcull_patches_free', 'shaftcull_patches_create_polygons', ...cornersOf(scratch, corners, cornersName),
+                asEnumerator(sides ?? 'front', patchSides, 'sides'));
   }
   const source = sourceOf(scratch, 'boxes', boxes, name);
   const floats = asFloats(planes ?? [], 4, 'planes');
@@ -77,6 +80,7 @@ function orderOf(module, scratch, patches) {
 /** The result of use(a, b, occluders, options, make, scratch): handles, and the options in memory; b may be 0. */
 function prepared(module, scene, names, use) {
   checkOptions(scene, [...parts, ...names]);
+  if (scene.sides && !scene.corners && !scene.cornersB) throw new TypeError('there are sides, but no corners');
   if (scene.planesB && !scene.patchesB && !scene.cornersB) throw new TypeError('there are planesB, but no patchesB');
   const given = {
     contact: asEnumerator(scene.contact ?? 'open', contacts, 'contact'),
@@ -86,9 +90,9 @@ function prepared(module, scene, names, use) {
   if (scene.tolerance !== undefined) [given.tolerance] = asFloats([scene.tolerance], 1, 'tolerance');
   if (scene.memory !== undefined) given.memory = asInteger(scene.memory, 0, 'memory');
   return withHandles(module, (make) => module.scratch((scratch) => {
-    const a = patchesOf(scratch, make, scene.patches, scene.planes, scene.corners, 'patches', 'corners');
+    const a = patchesOf(scratch, make, scene.patches, scene.planes, scene.corners, scene.sides, 'patches', 'corners');
     const b = scene.patchesB || scene.cornersB ?
-        patchesOf(scratch, make, scene.patchesB, scene.planesB, scene.cornersB, 'patchesB', 'cornersB') : 0;
+        patchesOf(scratch, make, scene.patchesB, scene.planesB, scene.cornersB, scene.sides, 'patchesB', 'cornersB') : 0;
     const occluders = occludersOf(module, scratch, make, scene);
     const defaults = scratch.described('visibility_options', 'shaftcull_default_visibility_options');
     return use(a, b, occluders, scratch.struct('visibility_options', {...defaults, ...given}), make, scratch);
