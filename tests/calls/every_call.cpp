@@ -30,7 +30,7 @@ EveryCall::EveryCall(std::vector<CompiledShaft> shafts, std::size_t bounds) {
   Random random(4711);
   for (std::size_t i = 0; i != bounds; ++i) {
     table_.boxes.push_back(i % 3 == 0 ? random.grid_box(-5, 5) : random.box(-5, 5, 0.05F, 1.0F));
-    if (i % 9 == 4) table_.boxes.back() = {{-1e-40F, 1e-39F, 1e-41F}, {1e-39F, 2, 3e-40F}};  // denormals
+    if (i % 90 == 4) table_.boxes.back() = {{-1e-40F, 1e-39F, 1e-41F}, {1e-39F, 2, 3e-40F}};  // denormals
     table_.spheres.push_back({table_.boxes.back().lo, i % 5 == 0 ? random.integer(0, 3) : random.uniform(0.01F, 0.5F)});
     if (i % 7 == 0) table_.candidates.push_back(static_cast<std::uint32_t>(i));
   }

@@ -1156,7 +1156,7 @@ static void visibility(void) {
   CHECK(patches.count == 1 && patches.order[0] == 0);
   shaftcull_patches_free(leaning);
   REFUSED(shaftcull_patches_create_polygons(square, 4, first_of_square, 1, 2, &none),
-          "sides is 2; it must be SHAFTCULL_PATCH_FRONT or SHAFTCULL_PATCH_BOTH");
+          "sides = 2 is none of SHAFTCULL_PATCH_FRONT and SHAFTCULL_PATCH_BOTH");
   REFUSED(shaftcull_patches_create_polygons(NULL, 4, first_of_square, 1, SHAFTCULL_PATCH_FRONT, &none),
           "corners is NULL");
   REFUSED(shaftcull_patches_create_polygons(square, 4, NULL, 1, SHAFTCULL_PATCH_FRONT, &none), "first_corner is NULL");
