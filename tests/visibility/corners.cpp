@@ -211,6 +211,24 @@ TEST(VisibilityOfCorners, PatchesOfBothSidesAreSeenFromBothAndHideByTheirCorners
   EXPECT_EQ(count_visibility(walls.patches(), Occluders()).facing_away, 3U);
 }
 
+// Groups of groups of one leaning wall, seen from behind by boxes that face it.
+TEST(VisibilityOfCorners, NothingFacesAwayFromAWallOfBothSides) {
+  Walls walls;
+  walls.add({0, 0, 0}, {40, 0, 40}, {0, 40, 0}, 40, 40);
+  std::vector<Box> boxes;
+  std::vector<Plane> planes;
+  for (int i = 0; i != 400; ++i) {
+    const Vec3 at{60 + static_cast<float>(i % 20), static_cast<float>(i / 20), 1};
+    boxes.push_back({at, at});
+    planes.push_back({{-1, 0, 0}, -at[0]});
+  }
+  const PatchSet before{std::span<const Box>(boxes), std::span<const Plane>(planes)};
+  const std::uint64_t pairs = walls.patches().size() * boxes.size();
+  EXPECT_EQ(count_visibility(walls.patches(PatchSides::front), before, Occluders()).facing_away, pairs);
+  EXPECT_EQ(count_visibility(walls.patches(PatchSides::both), before, Occluders()).clear, pairs);
+  EXPECT_EQ(count_visibility(before, walls.patches(PatchSides::both), Occluders()).clear, pairs);
+}
+
 TEST(VisibilityOfCorners, ToleranceMovesEachCoordinate) {
   // The plane x + y + z = 3: moving each coordinate by t lowers the sum by 3 t.
   const std::vector<Vec3> corners{{3, 0, 0}, {0, 3, 0}, {0, 0, 3}};
