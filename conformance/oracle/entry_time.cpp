@@ -120,7 +120,7 @@ std::optional<RootTime> first_time_of_sphere(const Times& times, const FaceOf& l
     if (is_last && times.to) break;
     const mpq_class step = is_last ? mpq_class(1) : mpq_class((breaks[i + 1] - breaks[i]) / 2);
     if (step == 0) continue;
-    const std::optional<RootTime> root = smaller_root(
+    std::optional<RootTime> root = smaller_root(
         breaks[i], step,
         {excess, excess_at(breaks[i] + step, lo, hi, sphere), excess_at(breaks[i] + 2 * step, lo, hi, sphere)});
     if (root && *root > RootTime{breaks[i]} && (is_last || *root <= RootTime{breaks[i + 1]})) return root;

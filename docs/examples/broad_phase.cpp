@@ -67,7 +67,9 @@ class Grid {
     origin_ = least;
     for (std::size_t k = 0; k != 3; ++k)
       cells_[k] = 1 + static_cast<int>((most[k] - least[k]) / cell_);
-    first_.assign(static_cast<std::size_t>(cells_[0] * cells_[1] * cells_[2] + 1), 0);
+    std::size_t cells = 1;
+    for (const int along : cells_) cells *= static_cast<std::size_t>(along);
+    first_.assign(cells + 1, 0);
     std::vector<std::size_t> at(bodies.size());
     for (std::size_t i = 0; i != bodies.size(); ++i) {
       const sc::Vec3& p = bodies[i].lo;
@@ -143,7 +145,8 @@ class Grid {
     return std::clamp(static_cast<int>((x - origin_[k]) / cell_), 0, cells_[k] - 1);
   }
   std::size_t place(int x, int y, int z) const {
-    return static_cast<std::size_t>((z * cells_[1] + y) * cells_[0] + x);
+    const int cell = (z * cells_[1] + y) * cells_[0] + x;
+    return static_cast<std::size_t>(cell);
   }
 
   float cell_;

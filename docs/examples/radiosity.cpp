@@ -18,14 +18,14 @@ struct Scene {
 
   explicit Scene(std::size_t count) {
     by_hand::Random random;
-    for (float x = 0; x != 16; ++x) {
-      for (float y = 0; y != 16; ++y) {
-        patches.push_back({{x, y, 0}, {x + 1, y + 1, 0}});
-        patches.push_back({{x, y, 4}, {x + 1, y + 1, 4}});
-        if (y >= 4) continue;
-        patches.push_back({{0, x, y}, {0, x + 1, y + 1}});
-        patches.push_back({{16, x, y}, {16, x + 1, y + 1}});
-      }
+    for (int i = 0; i != 16 * 16; ++i) {
+      const auto x = static_cast<float>(i / 16);
+      const auto y = static_cast<float>(i % 16);
+      patches.push_back({{x, y, 0}, {x + 1, y + 1, 0}});
+      patches.push_back({{x, y, 4}, {x + 1, y + 1, 4}});
+      if (y >= 4) continue;
+      patches.push_back({{0, x, y}, {0, x + 1, y + 1}});
+      patches.push_back({{16, x, y}, {16, x + 1, y + 1}});
     }
     while (objects.size() != count) {
       const sc::Vec3 p{random(0, 15), random(0, 15), random(0, 1) * random(0, 3)};

@@ -39,7 +39,7 @@ class PlaneGroupWriter {
   /// The group that holds the next lane, which lane() is from now on, with nothing in it.
   [[nodiscard]] Group& next() noexcept {
     Group& group = hull_.group[lanes_++ / Group::planes];
-    for (unsigned k = 0; k < 3; ++k) group.inward[k][lane()] = 0;
+    for (auto& inward : group.inward) inward[lane()] = 0;
     group.length[lane()] = group.magnitude[lane()] = 0;
     return group;
   }
