@@ -131,7 +131,7 @@ std::uint64_t Ladder::look_at_all_triangles(const Side& rows, unsigned row, cons
     std::uint64_t asked = candidates.kept[i] & lanes & ~decided;
     const std::size_t first = occluders.first_part[candidates.list[i]];
     const std::size_t end = first + occluders.parts_of(candidates.list[i]);
-    if (first == end) {
+    if (first == end && (rows.has_both_sides() || columns.has_both_sides())) {
       std::span<const Vec3> points = occluders.points_of(candidates.list[i]);
       PatchCorners of_box;
       if (points.empty()) {
