@@ -102,7 +102,7 @@ void add_triangles(const CompiledShaft& shaft, const TriangleView& triangles, Di
   digest.add_all(kept);
 }
 
-/// Three to six corners, most of them in a plane across an axis, others anywhere.
+/// One to six points: corners of a polygon across an axis, or anywhere.
 std::vector<Vec3> some_polygon(Numbers& numbers, Number number) {
   std::vector<Vec3> corners;
   const auto axis = static_cast<std::size_t>(numbers.below(3));

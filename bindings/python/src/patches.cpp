@@ -98,6 +98,7 @@ PatchSet patches_in(const py::object& boxes, const py::object& planes, const Rou
                     const std::string& name, const std::string& planes_name, PatchSides sides) {
   if (py::isinstance<PatchSet>(boxes)) {
     if (!planes.is_none()) throw py::value_error(planes_name + " are given, but " + name + " are Patches already");
+    if (sides == PatchSides::both) throw py::value_error("sides is 'both', but " + name + " are Patches already");
     return boxes.cast<PatchSet>();
   }
   if (are_corners(boxes)) {

@@ -34,6 +34,8 @@ def test_corners_make_patches():
     assert sc.count_visibility(of_both)["clear"] == 1
     with pytest.raises(ValueError, match="sides is 'back'; it must be 'front' or 'both'"):
         sc.Patches(leaning, sides="back")
+    with pytest.raises(ValueError, match="sides is 'both', but boxes are Patches already"):
+        sc.Patches(sc.Patches(leaning), sides="both")
     with pytest.raises(ValueError, match="planes are given, but sides is 'both'"):
         sc.Patches([[0, 0, 0, 1, 1, 1]], planes=[0, 0, 1, 0], sides="both")
     with pytest.raises(ValueError, match="planes are given, but patches are corners"):
