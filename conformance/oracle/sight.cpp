@@ -49,7 +49,6 @@ class Answers final : public SightOracle::Questions {
       return to;
     };
     tolerance_ = number(question.tolerance);
-    both_sides_ = question.both_sides;
     const auto patches = [&](const std::vector<Box>& from, const std::vector<Plane>& with_planes,
                              const std::vector<std::vector<Vec3>>& with_corners) {
       const std::vector<AnyBox> all = boxes(from);
@@ -60,7 +59,8 @@ class Answers final : public SightOracle::Questions {
         to[i].has_corners = !with_corners.empty();
         if (to[i].has_corners) {
           to[i].corners = points(with_corners[i]);
-          if (!question.both_sides) to[i].planes = planes_of(to[i].corners);
+          to[i].planes = planes_of(to[i].corners);
+          to[i].has_both_sides = question.both_sides;
         } else {
           to[i].corners = all[i].corners();
           if (!all_planes.empty()) to[i].planes = {all_planes[i]};
@@ -100,7 +100,12 @@ class Answers final : public SightOracle::Questions {
     SightTruth truth;
     const Patch& a = a_[i];
     const Patch& b = b_[j];
-    truth.is_facing_away = are_behind(a, b.corners) || are_behind(b, a.corners);
+    const std::vector<std::vector<AnyPlane>> facing_b = facing(a, b);
+    const std::vector<std::vector<AnyPlane>> facing_a = facing(b, a);
+    const auto are_behind_all = [&](const std::vector<std::vector<AnyPlane>>& ways, const std::vector<Point>& points) {
+      return std::any_of(ways.begin(), ways.end(), [&](const auto& planes) { return are_behind(planes, points); });
+    };
+    truth.is_facing_away = are_behind_all(facing_b, b.corners) || are_behind_all(facing_a, a.corners);
     for (std::size_t k = 0; k != solids_.size() && !truth.is_occluded; ++k) truth.is_occluded = blocks(i, j, k);
     for (std::size_t k = 0; k != polygons_.size() && !truth.is_occluded; ++k) {
       const bool may_block = tolerance_ == 0 || !(lie_in(a.corners, polygons_[k]) || lie_in(b.corners, polygons_[k]));
@@ -117,7 +122,7 @@ class Answers final : public SightOracle::Questions {
     if (reaching.empty()) return truth;
     const std::vector<AnyPlane> planes = are_boxes ? std::vector<AnyPlane>() : tangents(a, b);
     const auto is_left_out = [&](const std::vector<Point>& corners) {
-      return are_behind(a, corners) || are_behind(b, corners) || are_separate(planes, corners);
+      return are_behind_all(facing_b, corners) || are_behind_all(facing_a, corners) || are_separate(planes, corners);
     };
     for (const std::size_t k : reaching) {
       if (is_left_out(occluder_corners_[k])) continue;
@@ -149,7 +154,9 @@ class Answers final : public SightOracle::Questions {
                         [&](const auto& p, const auto& q) { return passes_box(p, q, solid, true); });
   }
 
-  [[nodiscard]] bool is_behind(std::size_t i, std::size_t j) const override { return are_behind(a_[i], b_[j].corners); }
+  [[nodiscard]] bool is_behind(std::size_t i, std::size_t j) const override {
+    return are_behind(a_[i].planes, b_[j].corners);
+  }
 
  private:
   using Point = PointOf<Number>;
@@ -164,6 +171,7 @@ class Answers final : public SightOracle::Questions {
     std::vector<Point> corners;  ///< those of the box if it has no others
     std::vector<AnyPlane> planes;
     bool has_corners = false;
+    bool has_both_sides = false;
     bool is_box = false;  ///< whether it is the box around it
   };
 
@@ -238,15 +246,30 @@ class Answers final : public SightOracle::Questions {
                          [&](const Point& p) { return lowest_height(plane, p) <= 0 && lowest_height(back, p) <= 0; });
     });
   }
-  [[nodiscard]] bool are_behind(const Patch& patch, const std::vector<Point>& points) const {
-    return !patch.planes.empty() && std::all_of(points.begin(), points.end(), [&](const Point& p) {
-      return std::all_of(patch.planes.begin(), patch.planes.end(),
+  /// Whether all points may lie on or behind all planes, each of them moved by the tolerance on its own.
+  [[nodiscard]] bool are_behind(const std::vector<AnyPlane>& planes, const std::vector<Point>& points) const {
+    return !planes.empty() && std::all_of(points.begin(), points.end(), [&](const Point& p) {
+      return std::all_of(planes.begin(), planes.end(),
                          [&](const AnyPlane& plane) { return lowest_height(plane, p) <= 0; });
     });
   }
+  /// The ways in which a patch faces another one: its planes, and of a patch that is seen from both sides, those that
+  /// the other one lies in front of, or in.
+  [[nodiscard]] std::vector<std::vector<AnyPlane>> facing(const Patch& patch, const Patch& other) const {
+    if (!patch.has_both_sides) return {patch.planes};
+    std::vector<AnyPlane> backs;
+    for (const AnyPlane& plane : patch.planes) {
+      const Point& n = plane.normal;
+      backs.push_back({{Number(-n[0]), Number(-n[1]), Number(-n[2])}, Number(-plane.offset)});
+    }
+    std::vector<std::vector<AnyPlane>> ways;
+    if (are_behind(backs, other.corners)) ways.push_back(patch.planes);
+    if (are_behind(patch.planes, other.corners)) ways.push_back(backs);
+    return ways;
+  }
 
-  /// The planes through an edge of one patch and a corner of the other, and those of patches with corners that are seen
-  /// from both sides, that have no corner of either patch behind them, and one in front: n·x ≥ offset for all corners.
+  /// The planes through an edge of one patch and a corner of the other that have no corner of either patch behind them,
+  /// and one in front: n·x ≥ offset for all corners.
   [[nodiscard]] std::vector<AnyPlane> tangents(const Patch& a, const Patch& b) const {
     std::vector<AnyPlane> planes;
     const auto add = [&](const AnyPlane& plane) {
@@ -270,8 +293,6 @@ class Answers final : public SightOracle::Questions {
           for (const AnyPlane& plane : planes_of({p, q, r})) add(plane);
         }
       }
-      if (!both_sides_ || !one->has_corners) continue;
-      for (const AnyPlane& plane : planes_of(one->corners)) add(plane);
     }
     return planes;
   }
@@ -343,7 +364,6 @@ class Answers final : public SightOracle::Questions {
   Contact contact_;
   bool solids_around_ends_;
   Number tolerance_;
-  bool both_sides_ = false;
   std::vector<Patch> a_;
   std::vector<Patch> b_;
   std::vector<AnyBox> solids_;

@@ -2,10 +2,12 @@
 /// Visibility: which pairs of patches see each other for certain, which cannot, and which need a closer look.
 ///
 /// A *patch* is a convex polygon by its corners, as a facet of a wall is, or a box: that of a point, or of a cell of a
-/// receiving volume. A polygon faces one side of its plane; a box may have a plane. *Occluders* stand between patches.
-/// Each pair gets one of four answers, in which the box of a polygon is the one around it:
+/// receiving volume. A polygon faces one side of its plane, or both sides (PatchSides): then it faces another patch
+/// that lies on one side of it, and has no plane for one that reaches to both. A box may have a plane. *Occluders*
+/// stand between patches. Each pair gets one of four answers, in which the box of a polygon is the one around it:
 ///
-/// * `facing_away`: all corners of one patch lie on or behind the plane of the other patch.
+/// * `facing_away`: all corners of one patch lie on or behind the plane of the other patch, or in that plane if it is
+///   seen from both sides.
 /// * `occluded`: one solid hides each patch from the other. Every segment between the relative interiors of the patches
 ///   passes through its interior. So a wall that ends flush with floor and ceiling hides what is behind it. Segments
 ///   that touch a solid only at the rim of both patches have measure zero: no light passes along them (occluded.hpp).
@@ -81,7 +83,7 @@ enum class Sight : std::uint8_t {
   undecided,    ///< none of the others: occluders reach between the patches
   clear,        ///< no occluder reaches between the patches
   occluded,     ///< one solid hides each patch from the other
-  facing_away,  ///< one patch is on or behind the plane of the other, within the tolerance
+  facing_away,  ///< one patch is on or behind the plane of the other, or in it, within the tolerance
 };
 
 /// Returns the name, as in files and in Python: "undecided", "clear", "occluded", "facing_away".
@@ -90,7 +92,7 @@ enum class Sight : std::uint8_t {
 /// From where a patch with corners is seen.
 enum class PatchSides : std::uint8_t {
   front,  ///< from the side from which its corners run counter-clockwise
-  both,   ///< from both sides: it has no plane, and no pair of it is facing_away
+  both,   ///< from both sides; two patches in one plane are facing_away, within the tolerance
 };
 
 /// A set of patches, in a tree. A set holds copies of the boxes and planes; copies of the set share them. A set that
@@ -112,7 +114,7 @@ class SHAFTCULL_EXPORT PatchSet {
   /// edges; a patch without area has no plane. Convexity is not checked. Throws BadBound, with the position, for a
   /// corner that is not finite, and InvalidArgument for another number of corners, for positions that do not ascend
   /// from 0 to corners.size(), for 2³² − 1 patches or more, and if `sides` is no enumerator. O(n log n); allocates
-  /// about 150 bytes per patch of 4 corners, and 100 if every patch is the box around it.
+  /// about 150 bytes per patch of 4 corners, and 100 if every patch is the box around it and seen from one side.
   explicit PatchSet(std::span<const Vec3> corners, std::span<const std::size_t> first_corner,
                     PatchSides sides = PatchSides::front);
 

@@ -29,6 +29,7 @@ struct ExactPlanes {
   std::size_t first;           ///< where the first patch is in streams of corners
   unsigned corners;            ///< of each patch: those with fewer repeat their last one
   float tolerance;
+  bool are_reversed;  ///< whether patches with corners face the side from which these run clockwise
 
   /// Whether a point lies on or behind the planes of patch `lane`.
   [[nodiscard]] bool is_behind(unsigned lane, const float (&point)[3]) const noexcept;

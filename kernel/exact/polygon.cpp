@@ -43,15 +43,34 @@ double magnitude(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q) noe
   return sum;
 }
 
-/// The sign of (b − a) · ((p − a) × (q − a)), exactly: on which side of the line from a to b the edge from p to q
-/// passes, or on which side of the plane of b, p and q the point a is.
-int orientation(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q) noexcept {
+/// The sign of (b − a) · ((p − a) × (q − a)), or 0 if it is not certain.
+int certain_orientation(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q) noexcept {
   // Each of three factors is a rounded difference; two products, a difference and two sums round as well: fewer than 8
   // roundings a term. Products of three differences of floats neither over- nor underflow.
   constexpr double margin = 16 * 0x1p-53;
   const double value = orientation_in<Rounded>(a, b, p, q);
   if (std::fabs(value) > margin * magnitude(a, b, p, q)) return value > 0 ? 1 : -1;
-  return orientation_in<Expansion<2>>(a, b, p, q).sign();
+  return 0;
+}
+
+/// The sign, exactly: on which side of the line from a to b the edge from p to q passes, or on which side of the plane
+/// of b, p and q the point a is.
+int orientation(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q) noexcept {
+  const int certain = certain_orientation(a, b, p, q);
+  return certain != 0 ? certain : orientation_in<Expansion<2>>(a, b, p, q).sign();
+}
+
+/// Whether a segment certainly passes two edges of a polygon on different sides. Then so do segments near it: the ends
+/// see each other past the polygon. Most polygons are far off, and this is quick.
+bool certainly_misses(const Vec3& from, const Vec3& to, std::span<const Vec3> polygon) noexcept {
+  int turn = 0;
+  for (std::size_t i = 0; i != polygon.size(); ++i) {
+    const int side = certain_orientation(from, to, polygon[i], polygon[i + 1 == polygon.size() ? 0 : i + 1]);
+    if (side == 0) continue;
+    if (side == -turn) return true;
+    turn = side;
+  }
+  return false;
 }
 
 /// Which points of two hulls count.
@@ -105,6 +124,7 @@ bool passes_plane(std::span<const Vec3> a, std::span<const Vec3> b, const Vec3& 
 
 template <Ends ends>
 bool blocks(std::span<const Vec3> a, std::span<const Vec3> b, std::span<const Vec3> polygon) noexcept {
+  if (certainly_misses(a.front(), b.front(), polygon) || certainly_misses(a.back(), b.back(), polygon)) return false;
   const std::size_t points = polygon.size();
   int turn = 0;
   for (std::size_t i = 0; i != points; ++i) {

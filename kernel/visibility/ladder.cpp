@@ -148,7 +148,8 @@ std::uint64_t Ladder::compare_with_group(Level& level, const Side& lanes, const 
   std::vector<std::uint64_t>& kept = lanes_are_rows ? level.row_candidates : level.column_candidates;
   std::uint64_t any = keep(occluders.boxes, lists.candidates, kept);
   if (lanes.has_planes()) any = drop_behind(level, lanes, kept);
-  if (!has_planes()) answer(left & ~any & ~any_of(may.data(), may.size()), Sight::clear);
+  if (lanes.has_both_sides()) any = drop_behind_faced(level, lanes, group, kept);
+  if (!may_face_away()) answer(left & ~any & ~any_of(may.data(), may.size()), Sight::clear);
   if (left == 0) return 0;
   keep(occluders.polygons, lists.polygons, lanes_are_rows ? level.row_polygons : level.column_polygons);
   return left;

@@ -21,7 +21,6 @@
 #include "visibility/known_cones.hpp"
 #include "visibility/occluders.hpp"
 #include "visibility/own_faces.hpp"
-#include "visibility/own_planes.hpp"
 #include "visibility/patch_tree.hpp"
 #include "visibility/sight_job.hpp"
 
@@ -63,13 +62,32 @@ class Ladder {
     const float* end[3];
     alignas(64) float least[most_siblings];  ///< as SegmentStart has it
   };
-  /// A group of patches and an occluder that has points. Bit i of `lanes` says that all points lie on or behind the
-  /// plane of patch i of the group.
+  /// A group of patches and points. Bit i of `lanes` says that all points lie on or behind the plane of patch i of the
+  /// group.
   struct PointsBehind {
+    /// Whose points they are, and which planes.
+    enum class Of : std::uint8_t { planes, reversed_planes, part, reversed_part };
+    struct Key {
+      std::uint32_t number = 0;  ///< of an occluder, or of one of its parts
+      Of of = Of::planes;
+      bool operator==(const Key&) const = default;
+    };
     const PatchTree* tree = nullptr;
     std::uint32_t first = 0;  ///< position of the first patch of the group
-    std::uint32_t occluder = 0;
+    Key key;
     std::uint64_t lanes = 0;
+  };
+  /// An occluder, or a triangle of one.
+  struct PointsOf {
+    std::uint32_t number;
+    bool is_part;
+  };
+  /// Of a row of pairs: lanes in which one patch lies on one side of the plane of the other, which is seen from both.
+  struct Faced {
+    std::uint64_t front_of_row = 0;
+    std::uint64_t back_of_row = 0;
+    std::uint64_t front_of_column = 0;
+    std::uint64_t back_of_column = 0;
   };
 
   /// Occluders with more points, which are not triangles, are not looked at in lanes.
@@ -83,8 +101,21 @@ class Ladder {
   void leave_out_far(std::vector<std::uint32_t>& list, std::size_t all, const BoxClumps& clumps, std::uint64_t asked);
   std::uint64_t compare_with_group(Level& level, const Side& lanes, const Side& group, bool lanes_are_rows,
                                    std::uint64_t rows);
-  [[nodiscard]] std::uint64_t facing_away(const Side& lanes, const Side& one, unsigned lane, std::uint64_t asked) const;
+  [[nodiscard]] std::uint64_t facing_away(const Side& lanes, const Side& one, unsigned lane, std::uint64_t asked);
+  [[nodiscard]] std::uint64_t in_one_plane(const Side& lanes, const Side& one, unsigned lane, std::uint64_t asked);
+  [[nodiscard]] std::uint64_t on_or_behind_planes(const Side& lanes, const Side& one, unsigned lane,
+                                                  std::uint64_t asked) const;
   std::uint64_t drop_behind(const Level& level, const Side& lanes, std::vector<std::uint64_t>& kept);
+  std::uint64_t drop_behind_faced(const Level& level, const Side& lanes, const Side& group,
+                                  std::vector<std::uint64_t>& kept);
+  void drop_behind_faced(const Side& rows, unsigned row, const Side& columns, Selection& candidates);
+  [[nodiscard]] std::uint64_t behind_faced(const Side& lanes, const PointsOf& of, std::span<const Vec3> points,
+                                           std::uint64_t front, std::uint64_t back);
+  [[nodiscard]] std::uint64_t behind_faced(const Side& rows, unsigned row, const Side& columns, const PointsOf& of,
+                                           std::span<const Vec3> points, std::uint64_t asked);
+  [[nodiscard]] std::uint64_t all_behind(const Side& lanes, const PlaneStreams& planes, const PointsBehind::Key& key,
+                                         std::span<const Vec3> points);
+  [[nodiscard]] std::span<const Vec3> points_or_corners(std::uint32_t occluder, PatchCorners& of_box) const noexcept;
   void go_into_itself(std::size_t depth, const Side& rows, unsigned row);
   void answer_row(std::size_t depth, const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes);
   void answer_patches(Level& here, const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes);
@@ -121,8 +152,6 @@ class Ladder {
   [[nodiscard]] std::uint64_t certainly_through(std::uint32_t occluder, unsigned count, std::uint64_t asked) const;
   [[nodiscard]] std::uint64_t certainly_through(const std::array<Vec3, 3>& triangle, unsigned count,
                                                 std::uint64_t asked) const;
-  [[nodiscard]] std::uint64_t behind_own_planes(const Side& rows, unsigned row, const Side& columns,
-                                                std::span<const Vec3> points, std::uint64_t asked);
   [[nodiscard]] std::uint64_t drop_separate(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes,
                                             Selection& candidates);
   [[nodiscard]] std::uint64_t reach_in_lanes(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes,
@@ -141,7 +170,7 @@ class Ladder {
                                                    bool are_boxes) const;
   void decide_rows(const Side& rows, std::uint64_t which, const Side& columns, unsigned column, Sight sight);
   void decide(const Side& rows, unsigned row, const Side& columns, std::uint64_t which, Sight sight);
-  [[nodiscard]] bool has_planes() const noexcept;
+  [[nodiscard]] bool may_face_away() const noexcept;
   void write(const PatchRun& a, const PatchRun& b, Sight sight);
   void tell_if_full() const;
 
@@ -163,7 +192,7 @@ class Ladder {
   std::vector<std::uint64_t> sure_lanes_;  ///< of candidates at hand: lanes that one certainly reaches into
   std::vector<std::size_t> parts_left_;    ///< triangles of an occluder at hand that may reach in
   OwnFacesCache own_faces_;
-  OwnPlanesOfRow own_planes_;                  ///< of the row at hand
+  Faced faced_;                                ///< of the row of patches at hand
   std::vector<PointsBetween> points_between_;  ///< of candidates at hand that lanes are asked about
   std::vector<Segments> segments_;
   std::vector<PointsBehind> points_behind_;

@@ -42,12 +42,15 @@ std::uint64_t Ladder::block_corners(const Side& rows, unsigned row, const Side& 
   std::uint64_t occluded = 0;
   kernels.keep(siblings_, job_.occluders.polygons.data(), polygons.list.data(), polygons.count, polygons.may.data(),
                asked, polygons.kept.data());
+  const float tolerance = job_.a.tolerance;
   for (std::size_t i = 0; i != polygons.count; ++i) {
+    const std::span<const Vec3> polygon = job_.occluders.polygon(polygons.list[i]);
+    const PolygonSides& sides = job_.occluders.polygon_sides[polygons.list[i]];
+    const PolygonSides::Reach of_a = sides.of(a.all(), tolerance);
     for_each_lane(polygons.kept[i] & ~occluded, [&](unsigned lane) {
-      const std::span<const Vec3> polygon = job_.occluders.polygon(polygons.list[i]);
       const PatchCorners b = columns.corners(lane);
+      if (PolygonSides::are_on_one_side(of_a, sides.of(b.all(), tolerance))) return;
       if (!polygon_blocks(a.all(), b.all(), polygon)) return;
-      const float tolerance = job_.a.tolerance;
       if (tolerance > 0 && (lie_in_plane(a.all(), polygon, tolerance) || lie_in_plane(b.all(), polygon, tolerance))) {
         return;
       }

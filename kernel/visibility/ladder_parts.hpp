@@ -21,6 +21,7 @@ struct Ladder::Side {
   const float* box[6];
   const float* inward[6];  ///< as Siblings has it
   PlaneStreams planes{};
+  PlaneStreams reversed_planes{};  ///< of patches that are seen from both sides
 
   Side(const SightSet& of, std::uint32_t from, unsigned size, bool patches)
       : set(of),
@@ -49,6 +50,14 @@ struct Ladder::Side {
     planes.exact.corner = of.tree.corner_streams().streams();
     planes.exact.corners = of.tree.corner_streams().corners();
     planes.exact.first = from;
+    if (!of.tree.has_both_sides()) return;
+    reversed_planes = planes;
+    for (unsigned k = 0; k != 3; ++k) {
+      reversed_planes.least_normal[k] = reversed_planes.largest_normal[k] = of.reversed.normal[k].data() + from;
+    }
+    reversed_planes.least_offset = of.reversed.limits.offset.data() + from;
+    reversed_planes.error = of.reversed.limits.error.data() + from;
+    reversed_planes.exact.are_reversed = true;
   }
   /// Streams of the corners of all lanes: stream 3 c + k has coordinate k of corner c. A box has eight.
   struct CornersOfLanes {
@@ -71,27 +80,31 @@ struct Ladder::Side {
     return {set, parent.first_child, parent.children, parent.has_patches};
   }
 
-  [[nodiscard]] bool has_planes() const noexcept { return planes.error != nullptr; }
-  /// Whether patches have corners and are seen from both sides.
-  [[nodiscard]] bool has_both_sides() const noexcept { return set.tree.has_corners() && !has_planes(); }
+  /// Whether patches have planes, and are seen from one side of them.
+  [[nodiscard]] bool has_planes() const noexcept { return set.tree.has_planes(); }
+  /// Whether they are seen from both sides.
+  [[nodiscard]] bool has_both_sides() const noexcept { return set.tree.has_both_sides(); }
   /// Whether lanes are boxes rather than something in them.
   [[nodiscard]] bool are_boxes() const noexcept { return are_patches && not_boxes == 0; }
   /// Whether a patch is the box around it, or all patches of a group are.
   [[nodiscard]] bool has_boxes_only(unsigned lane) const noexcept { return (not_boxes >> lane & 1U) == 0; }
   /// The corners of a patch.
   [[nodiscard]] PatchCorners corners(unsigned lane) const noexcept { return set.tree.corners_of(first + lane); }
-  [[nodiscard]] PlaneRow plane(unsigned lane) const noexcept {
+  static PlaneRow plane_of(const PlaneStreams& from, unsigned lane) noexcept {
     PlaneRow row{};
     for (unsigned k = 0; k != 3; ++k) {
-      row.least_normal[k] = planes.least_normal[k][lane];
-      row.largest_normal[k] = planes.largest_normal[k][lane];
+      row.least_normal[k] = from.least_normal[k][lane];
+      row.largest_normal[k] = from.largest_normal[k][lane];
     }
-    row.least_offset = planes.least_offset[lane];
-    row.error = planes.error[lane];
-    row.exact = planes.exact;
+    row.least_offset = from.least_offset[lane];
+    row.error = from.error[lane];
+    row.exact = from.exact;
     row.lane = lane;
     return row;
   }
+  [[nodiscard]] PlaneRow plane(unsigned lane) const noexcept { return plane_of(planes, lane); }
+  /// That of a patch that is seen from both sides, facing the other way.
+  [[nodiscard]] PlaneRow reversed_plane(unsigned lane) const noexcept { return plane_of(reversed_planes, lane); }
   /// The box of a lane, six faces.
   void copy_box(unsigned lane, float (&to)[6]) const noexcept {
     for (unsigned s = 0; s != 6; ++s) to[s] = box[s][lane];
@@ -123,9 +136,13 @@ struct Ladder::Side {
   }
   [[nodiscard]] bool reaches_into(unsigned lane, const float (&solid)[6]) const noexcept;
   [[nodiscard]] FacingPlanes facing_planes_of(unsigned lane) const noexcept;
-  [[nodiscard]] bool is_behind(unsigned lane, const Side& other, unsigned other_lane) const noexcept;
-  [[nodiscard]] std::uint64_t patches_behind(const Side& other, unsigned lane, std::uint64_t asked,
+  [[nodiscard]] bool is_behind(unsigned lane, const FacingPlanes& planes_of_other, const Side& other,
+                               unsigned other_lane) const noexcept;
+  [[nodiscard]] bool is_in_planes(unsigned lane, const Side& other, unsigned other_lane) const noexcept;
+  [[nodiscard]] std::uint64_t patches_behind(const PlaneRow& plane, std::uint64_t asked,
                                              const SiblingKernels& kernels) const noexcept;
+  [[nodiscard]] std::uint64_t with_patch_behind(const PlaneStreams& planes_of, const Side& other, unsigned lane,
+                                                std::uint64_t asked, const SiblingKernels& kernels) const noexcept;
 
  private:
   [[nodiscard]] double farthest(unsigned lane, const Direction& direction) const noexcept;

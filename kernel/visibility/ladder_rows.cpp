@@ -11,7 +11,10 @@ namespace shaftcull::kernel {
 /// Whether patches may face away from each other. Then groups are not told to be clear: some pairs of them may face
 /// away, and are to be told so. Nor are they where a solid may block some of their pairs: one that is several boxes
 /// together blocks in their seams, where none of these reaches into a flat shaft.
-bool Ladder::has_planes() const noexcept { return job_.a.tree.has_planes() || job_.b.tree.has_planes(); }
+bool Ladder::may_face_away() const noexcept {
+  const auto has_planes = [](const PatchTree& tree) { return tree.patch_streams().has_planes(); };
+  return has_planes(job_.a.tree) || has_planes(job_.b.tree);
+}
 
 void Ladder::write(const PatchRun& a, const PatchRun& b, Sight sight) {
   const std::uint64_t pairs = std::uint64_t{a.count} * b.count;
@@ -69,7 +72,7 @@ void Ladder::answer_row(std::size_t depth, const Side& rows, unsigned row, const
                         selection.kept.data());
   };
   const std::uint64_t undecided = keep(occluders.boxes, candidates);
-  std::uint64_t clear = has_planes() ? 0 : lanes & ~undecided;
+  std::uint64_t clear = may_face_away() ? 0 : lanes & ~undecided;
   const auto tell_clear = [&](std::uint64_t which) {
     decide(rows, row, columns, which, Sight::clear);
     lanes &= ~which;
@@ -133,7 +136,8 @@ void Ladder::answer_boxes(Level& here, const Side& rows, unsigned row, const Sid
   // Side by side, fewer vectors hold those that are left.
   const auto count = static_cast<unsigned>(std::popcount(lanes));
   const bool have_parts = !occluders.parts.empty();
-  const bool packs = kernels.pack != nullptr && count + most_siblings / 4 <= columns.count;
+  const bool has_both_sides = rows.has_both_sides() || columns.has_both_sides();  // lanes are where faced_ has them
+  const bool packs = kernels.pack != nullptr && !has_both_sides && count + most_siblings / 4 <= columns.count;
   const auto spread = [&](std::uint64_t bits) { return packs ? kernels.spread(bits, lanes) : bits; };
   std::uint64_t left = packs ? first_lanes(count) : lanes;
   if (packs) {
@@ -151,6 +155,7 @@ void Ladder::answer_boxes(Level& here, const Side& rows, unsigned row, const Sid
 
   Selection& candidates = here.candidates_of_row;
   select(here.lists.candidates, here.row_candidates, here.column_candidates, row, lanes, packs, candidates);
+  drop_behind_faced(rows, row, columns, candidates);
   const auto keep = [&](std::uint64_t asked) {
     return kernels.keep(siblings_, occluders.boxes.data(), candidates.list.data(), candidates.count,
                         candidates.may.data(), asked, candidates.kept.data());
@@ -196,6 +201,7 @@ void Ladder::answer_corners(Level& here, const Side& rows, unsigned row, const S
 
   Selection& candidates = here.candidates_of_row;
   select(here.lists.candidates, here.row_candidates, here.column_candidates, row, lanes, false, candidates);
+  drop_behind_faced(rows, row, columns, candidates);
   std::uint64_t undecided = job_.kernels.keep(siblings_, job_.occluders.boxes.data(), candidates.list.data(),
                                               candidates.count, candidates.may.data(), left, candidates.kept.data());
   if (undecided != 0) undecided = look_at_all_triangles(rows, row, columns, undecided, candidates);

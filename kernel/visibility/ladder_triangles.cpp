@@ -90,6 +90,8 @@ std::uint64_t Ladder::look_at_triangles(const Side& rows, unsigned row, const Si
       of_part &= ~reached;
       if (of_part == 0) continue;
       of_part = behind(rows, first + part, bit(row)) != 0 ? 0 : of_part & ~behind(columns, first + part, of_part);
+      of_part &= ~behind_faced(rows, row, columns, {static_cast<std::uint32_t>(first + part), true},
+                               occluders.part_vertices[first + part], of_part);
       reached |= of_part;
     }
     candidates.kept[i] = reached;
@@ -112,7 +114,7 @@ std::uint64_t Ladder::part_reaches(const Side& rows, unsigned row, const Side& c
   };
   if (behind(rows, bit(row)) != 0) return 0;
   kept &= ~behind(columns, kept);
-  return kept & ~behind_own_planes(rows, row, columns, vertices, kept);
+  return kept & ~behind_faced(rows, row, columns, {number, true}, vertices, kept);
 }
 
 /// Likewise of pairs whose corners are asked about later: writes the lanes of each triangle to part_lanes_, and those
@@ -126,21 +128,10 @@ std::uint64_t Ladder::look_at_all_triangles(const Side& rows, unsigned row, cons
   std::uint64_t decided = 0;
   part_lanes_.clear();
   sure_lanes_.clear();
-  own_planes_.begin();
   for (std::size_t i = 0; i != candidates.count; ++i) {
-    std::uint64_t asked = candidates.kept[i] & lanes & ~decided;
+    const std::uint64_t asked = candidates.kept[i] & lanes & ~decided;
     const std::size_t first = occluders.first_part[candidates.list[i]];
     const std::size_t end = first + occluders.parts_of(candidates.list[i]);
-    if (first == end && (rows.has_both_sides() || columns.has_both_sides())) {
-      std::span<const Vec3> points = occluders.points_of(candidates.list[i]);
-      PatchCorners of_box;
-      if (points.empty()) {
-        const float(&box)[8] = occluders.boxes[candidates.list[i]].face;
-        of_box = corners_of_box({{box[0], box[1], box[2]}, {box[3], box[4], box[5]}});
-        points = of_box.all();
-      }
-      asked &= ~behind_own_planes(rows, row, columns, points, asked);
-    }
     std::uint64_t reached = first == end ? asked : 0;
     std::uint64_t sure = first == end ? certainly_through(candidates.list[i], columns.count, asked) : 0;
     for (std::size_t part = first; part != end; ++part) {

@@ -84,7 +84,7 @@ std::optional<Plane> plane_of_box(std::span<const Vec3> corners, const Box& box)
   return plane;
 }
 
-// Where every patch is the box around it, boxes and planes are the same patches, and quicker.
+// Where every patch is the box around it, and seen from one side, boxes and planes are the same patches, and quicker.
 std::shared_ptr<const kernel::PatchTree> patch_tree(std::span<const Vec3> corners,
                                                     std::span<const std::size_t> first_corner, PatchSides sides) {
   if (sides > PatchSides::both) {
@@ -101,10 +101,9 @@ std::shared_ptr<const kernel::PatchTree> patch_tree(std::span<const Vec3> corner
       const std::span<const Vec3> of_patch = corners.subspan(first_corner[i], first_corner[i + 1] - first_corner[i]);
       const Box box = kernel::box_around_corners(of_patch);
       const std::optional<Plane> plane = sides == PatchSides::front ? plane_of_box(of_patch, box) : std::nullopt;
-      if (sides == PatchSides::front ? !plane : !kernel::are_corners_of_box(of_patch, box))
-        return std::make_shared<const kernel::PatchTree>(corners, first_corner, sides);
+      if (!plane) return std::make_shared<const kernel::PatchTree>(corners, first_corner, sides);
       boxes.push_back(box);
-      if (plane) planes.push_back(*plane);
+      planes.push_back(*plane);
     }
     return std::make_shared<const kernel::PatchTree>(BoxStream(boxes).view(), planes);
   });

@@ -100,6 +100,21 @@ Plane plane_near(std::span<const Vec3> corners) noexcept {
           static_cast<float>(std::clamp(offset, -largest, largest))};
 }
 
+/// Corners of polygons that are seen from both sides, in the order in which planes that are nearly parallel face alike.
+std::vector<Vec3> facing_alike(std::span<const Vec3> corners, std::span<const std::size_t> first_corner) {
+  constexpr double towards[3] = {0.2673, 0.5345, 0.8018};  // across few walls that there are
+  std::vector<Vec3> alike(corners.begin(), corners.end());
+  for (std::size_t i = 1; i != first_corner.size(); ++i) {
+    const std::size_t first = first_corner[i - 1];
+    const Plane plane = plane_near(corners.subspan(first, first_corner[i] - first));
+    double along = 0;
+    for (std::size_t k = 0; k != 3; ++k) along += towards[k] * double{plane.normal[k]};
+    const auto at = [&](std::size_t c) { return alike.begin() + static_cast<std::ptrdiff_t>(c); };
+    if (along < 0) std::reverse(at(first + 1), at(first_corner[i]));
+  }
+  return alike;
+}
+
 }  // namespace
 
 void PatchStreams::Free::operator()(float* memory) const noexcept { ::operator delete[](memory, std::align_val_t{64}); }
@@ -186,6 +201,8 @@ std::uint64_t PatchTree::groups_of_others(std::size_t group, unsigned count) con
 PatchTree::PatchTree(std::span<const Vec3> corners, std::span<const std::size_t> first_corner, PatchSides sides) {
   if (first_corner.size() < 2) return;
   const std::size_t count = first_corner.size() - 1;
+  std::vector<Vec3> alike;
+  if (sides == PatchSides::both) corners = alike = facing_alike(corners, first_corner);
   const auto corners_at = [&](std::size_t i) {
     return corners.subspan(first_corner[i], first_corner[i + 1] - first_corner[i]);
   };
@@ -195,10 +212,11 @@ PatchTree::PatchTree(std::span<const Vec3> corners, std::span<const std::size_t>
   std::size_t most = 0;
   for (std::size_t i = 0; i != count; ++i) {
     boxes.push_back(box_around_corners(corners_at(i)));
-    if (sides == PatchSides::front) planes.push_back(plane_near(corners_at(i)));
+    planes.push_back(plane_near(corners_at(i)));
     most = std::max(most, corners_at(i).size());
   }
   *this = PatchTree(BoxStream(boxes).view(), planes);
+  has_both_sides_ = sides == PatchSides::both;
   corner_streams_ = CornerStreams(count, static_cast<unsigned>(most));
   not_boxes_.resize(bit_words(count));
   for (std::size_t i = 0; i != count; ++i) {

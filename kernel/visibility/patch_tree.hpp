@@ -2,6 +2,7 @@
 /// Patches in a tree whose groups are small, and face alike.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -53,6 +54,12 @@ class PatchCorners {
  public:
   void add(const Vec3& corner) noexcept { at_[count_++] = corner; }
   [[nodiscard]] std::span<const Vec3> all() const noexcept { return {at_.data(), count_}; }
+  /// The other way round the patch, from the same corner on.
+  [[nodiscard]] PatchCorners reversed() const noexcept {
+    PatchCorners corners = *this;
+    std::reverse(corners.at_.begin() + 1, corners.at_.begin() + count_);
+    return corners;
+  }
 
  private:
   std::array<Vec3, most_patch_corners> at_;
@@ -108,7 +115,11 @@ class PatchTree {
   /// Of each group's box, a coordinate on the inner side of face f, or that of the face if the relative interior of a
   /// patch lies in it: as OpenBox has it (exact/blocking.hpp). Padded as streams are.
   [[nodiscard]] const float* group_inward(std::size_t f) const noexcept { return group_inward_[f].data(); }
-  [[nodiscard]] bool has_planes() const noexcept { return patch_streams_.has_planes(); }
+  /// Whether patches have planes, and are seen from one side of them.
+  [[nodiscard]] bool has_planes() const noexcept { return patch_streams_.has_planes() && !has_both_sides_; }
+  /// Whether patches have planes, and are seen from both sides of them. Then corners run so that planes that are nearly
+  /// parallel face alike.
+  [[nodiscard]] bool has_both_sides() const noexcept { return has_both_sides_; }
   /// Whether patches have corners. Then the planes in streams, if there are any, are near those of the corners.
   [[nodiscard]] bool has_corners() const noexcept { return corner_streams_.corners() != 0; }
   [[nodiscard]] const CornerStreams& corner_streams() const noexcept { return corner_streams_; }
@@ -134,6 +145,7 @@ class PatchTree {
   std::vector<std::uint64_t> groups_of_others_;  ///< likewise for each group
   std::vector<TurnedGroup> turned_groups_;
   float largest_coordinate_ = 0;
+  bool has_both_sides_ = false;
 };
 
 /// The corners of a box that differ.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
 
 #include "exact/orientation.hpp"
@@ -15,11 +16,11 @@ namespace shaftcull::kernel {
 /// The plane of a polygon's first three corners that are not on one line.
 class PolygonSides {
  public:
-  /// Which sides of the plane a box reaches into for certain. Neither, if it is in the plane or close to it.
+  /// Which sides of the plane something reaches into for certain. Neither, if it is in the plane or close to it.
   struct Reach {
     bool front;
     bool back;
-    bool is_in_plane;  ///< for certain
+    bool is_in_plane;  ///< for certain, up to the tolerance if there is one
   };
 
   explicit PolygonSides(std::span<const Vec3> polygon) noexcept {
@@ -57,7 +58,32 @@ class PolygonSides {
     return {most > margin, least < -margin, margin_ == 0 && most == 0 && least == 0};
   }
 
-  /// Whether no segment between two such boxes goes from one side to the other, for certain.
+  /// Of the convex hull of points.
+  [[nodiscard]] Reach of(std::span<const Vec3> points, float tolerance) const noexcept {
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    double magnitude = 0;
+    for (const Vec3& point : points) {
+      double height = 0;
+      double terms = 0;
+      for (unsigned k = 0; k != 3; ++k) {
+        const double along = normal_[k] * (double{point[k]} - point_[k]);
+        height += along;
+        terms += std::fabs(along);
+      }
+      least = std::min(least, height);
+      most = std::max(most, height);
+      magnitude = std::max(magnitude, terms);
+    }
+    const double margin = margin_ * magnitude;
+    double thickness = 0;
+    for (const double n : normal_) thickness += tolerance * std::fabs(n) * (1 - 0x1p-28);
+    const bool is_in_plane =
+        thickness > 0 ? std::max(most, -least) + margin <= thickness : margin_ == 0 && most == 0 && least == 0;
+    return {most > margin, least < -margin, is_in_plane};
+  }
+
+  /// Whether no segment between two such ends goes from one side to the other, for certain.
   [[nodiscard]] static bool are_on_one_side(const Reach& a, const Reach& b) noexcept {
     return (a.front && b.front) || (a.back && b.back) || a.is_in_plane || b.is_in_plane;
   }

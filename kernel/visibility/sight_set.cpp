@@ -80,7 +80,8 @@ Limit limit_of(const float (&normal)[3], float offset, float tolerance, float co
 
 /// Of the planes of corners, which `normal` stands for. For all points, distances from each of these planes differ from
 /// those that are computed by the error at most.
-Limit limit_of(std::span<const Vec3> corners, const float (&normal)[3], float tolerance, float coordinate) noexcept {
+Limit limit_of(const PatchCorners& patch, const float (&normal)[3], float tolerance, float coordinate) noexcept {
+  const std::span<const Vec3> corners = patch.all();
   const PatchNormals normals(corners);
   if (normals.all().empty()) return {-1, 0};  // its normal is 0, and all points are in front
   const auto dot = [&](const std::array<double, 3>& n) {
@@ -120,12 +121,30 @@ PlaneLimits patch_limits(const PatchTree& tree, float tolerance, float coordinat
   for (std::size_t i = 0; i != streams.size(); ++i) {
     float normal[3];
     normal_at(streams, 6, i, normal);
-    const Limit limit = tree.has_corners() ? limit_of(tree.corners_of(i).all(), normal, tolerance, coordinate)
+    const Limit limit = tree.has_corners() ? limit_of(tree.corners_of(i), normal, tolerance, coordinate)
                                            : limit_of(normal, streams.stream(12)[i], tolerance, coordinate);
     limits.offset[i] = limit.offset;
     limits.error[i] = limit.error;
   }
   return limits;
+}
+
+ReversedPlanes reversed_planes(const PatchTree& tree, float tolerance, float coordinate) {
+  ReversedPlanes reversed;
+  if (!tree.has_both_sides()) return reversed;
+  const std::size_t size = tree.patch_streams().size();
+  for (std::vector<float>& n : reversed.normal) n.resize(size + most_siblings);
+  reversed.limits.offset.resize(size + most_siblings);
+  reversed.limits.error.resize(size + most_siblings);
+  for (std::size_t i = 0; i != size; ++i) {
+    float normal[3];
+    normal_at(tree.patch_streams(), 6, i, normal);
+    for (std::size_t k = 0; k != 3; ++k) reversed.normal[k][i] = normal[k] = -normal[k];
+    const Limit limit = limit_of(tree.corners_of(i).reversed(), normal, tolerance, coordinate);
+    reversed.limits.offset[i] = limit.offset;
+    reversed.limits.error[i] = limit.error;
+  }
+  return reversed;
 }
 
 /// Planes of groups, for bounds of normals: the least offset of their patches, and an error that covers theirs.
@@ -163,8 +182,9 @@ PlaneLimits group_limits(const PatchTree& tree, const PlaneLimits& patches, floa
 SightSet sight_set(const PatchTree& tree, float tolerance, float coordinate) {
   return in_float_environment([&] {
     PlaneLimits patches = patch_limits(tree, tolerance, coordinate);
+    ReversedPlanes reversed = reversed_planes(tree, tolerance, coordinate);
     PlaneLimits groups = group_limits(tree, patches, tolerance, coordinate);
-    return SightSet{tree, tolerance, coordinate, std::move(patches), std::move(groups)};
+    return SightSet{tree, tolerance, coordinate, std::move(patches), std::move(reversed), std::move(groups)};
   });
 }
 

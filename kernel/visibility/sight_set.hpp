@@ -15,11 +15,18 @@ struct PlaneLimits {
   std::vector<float> error;
 };
 
+/// Planes of patches that are seen from both sides, facing the other way than those of the tree.
+struct ReversedPlanes {
+  std::vector<float> normal[3];
+  PlaneLimits limits;
+};
+
 struct SightSet {
   const PatchTree& tree;
   float tolerance;
   float coordinate;  ///< the largest magnitude in the job
   PlaneLimits patches;
+  ReversedPlanes reversed;
   PlaneLimits groups;
 };
 

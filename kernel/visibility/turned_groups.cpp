@@ -54,9 +54,11 @@ class TurnedGroupsOf {
     for_each_patch(group, [&](std::uint32_t i) {
       for (std::size_t k = 0; k != 3; ++k) sum[k] += planes_[i].mean[k];
     });
-    FacingPlanes planes{unit(sum), infinity, 0};
+    FacingPlanes planes{unit(sum), infinity, -infinity, 0};
     for_each_patch(group, [&](std::uint32_t i) {
-      planes.least = std::min(planes.least, component(planes.mean, tree_.corners_of(i).all().front()));
+      const double along = component(planes.mean, tree_.corners_of(i).all().front());
+      planes.least = std::min(planes.least, along);
+      planes.largest = std::max(planes.largest, along);
       planes.spread = std::max(planes.spread, planes_[i].spread + distance(planes.mean, planes_[i].mean));
     });
     return planes;
@@ -70,12 +72,27 @@ class TurnedGroupsOf {
 
 FacingPlanes facing_planes(std::span<const Vec3> corners) noexcept {
   const PatchNormals normals(corners);
-  if (normals.all().empty()) return {{0, 0, 0}, 0, infinity};
-  FacingPlanes planes{normals.all().front(), 0, 0};
+  if (normals.all().empty()) return {{0, 0, 0}, 0, 0, infinity};
+  FacingPlanes planes{normals.all().front(), 0, 0, 0};
   for (const Direction& normal : normals.all()) planes.spread = std::max(planes.spread, distance(normal, planes.mean));
   planes.spread += 0x1p-26;  // the error of computed normals, and of their distances
-  planes.least = component(planes.mean, corners.front());
+  planes.least = planes.largest = component(planes.mean, corners.front());
   return planes;
+}
+
+double farthest_of(std::span<const Vec3> points, const Direction& direction) noexcept {
+  double farthest = component(direction, points.front());
+  for (const Vec3& point : points.subspan(1)) farthest = std::max(farthest, component(direction, point));
+  return farthest;
+}
+
+double reach_of(const float (&a)[6], const float (&b)[6]) noexcept {
+  double square = 0;
+  for (unsigned k = 0; k != 3; ++k) {
+    const double length = double{std::max(a[k + 3], b[k + 3])} - std::min(a[k], b[k]);
+    square += length * length;
+  }
+  return std::sqrt(square) * (1 + 0x1p-40);
 }
 
 std::vector<TurnedGroup> turned_groups(const PatchTree& tree) {

@@ -16,12 +16,21 @@ namespace shaftcull::kernel {
 
 class PatchTree;
 
-/// The planes of patches: unit normals differ from `mean` by at most `spread` in length, and mean·p ≥ `least` for a
-/// corner p of each patch that is in all of its planes. If a patch has no plane, `spread` is infinite.
+/// The planes of patches: unit normals differ from `mean` by at most `spread` in length, and mean·p is at least `least`
+/// and at most `largest` for a corner p of each patch that is in all of its planes. If a patch has no plane, `spread`
+/// is infinite.
 struct FacingPlanes {
   Direction mean;
   double least;
+  double largest;
   double spread;
+
+  /// Whether normals are so near each other that all planes may have something behind them.
+  [[nodiscard]] bool are_alike() const noexcept { return spread < 0.5; }
+  /// The same planes, facing the other way.
+  [[nodiscard]] FacingPlanes reversed() const noexcept {
+    return {{-mean[0], -mean[1], -mean[2]}, -largest, -least, spread};
+  }
 };
 
 /// A box around all corners of a group of patches, and the planes of the patches.
@@ -32,6 +41,11 @@ struct TurnedGroup {
 
 /// The planes of one patch.
 [[nodiscard]] FacingPlanes facing_planes(std::span<const Vec3> corners) noexcept;
+
+/// The largest component of a point along a direction.
+[[nodiscard]] double farthest_of(std::span<const Vec3> points, const Direction& direction) noexcept;
+/// The length of the diagonal of the box around two boxes, or more.
+[[nodiscard]] double reach_of(const float (&a)[6], const float (&b)[6]) noexcept;
 
 /// One for each group of a tree whose patches have corners.
 [[nodiscard]] std::vector<TurnedGroup> turned_groups(const PatchTree& tree);

@@ -211,6 +211,33 @@ TEST(VisibilityOfCorners, PatchesOfBothSidesAreSeenFromBothAndHideByTheirCorners
   EXPECT_EQ(count_visibility(walls.patches(), Occluders()).facing_away, 3U);
 }
 
+// Two leaning walls across each other, of groups of groups: their patches run round either way.
+TEST(VisibilityOfCorners, PatchesOfBothSidesInOnePlaneFaceAway) {
+  Walls walls;
+  walls.add({0, 0, 0}, {40, 0, 40}, {0, 40, 0}, 40, 40);
+  walls.add({100, 0, 0}, {0, 40, 0}, {-40, 0, 40}, 40, 40);
+  walls.add({101, 0, 1}, {40, 40, 0}, {0, 0, 40}, 4, 4);
+  const PatchSet patches = walls.patches(PatchSides::both);
+  Occluders occluders;  // both walls
+  occluders.add_polygons(std::vector<Vec3>{{0, 0, 0}, {40, 0, 40}, {40, 40, 40}, {0, 40, 0}},
+                         std::vector<std::size_t>{0, 4});
+  occluders.add_boxes(std::vector<Box>{{{60, 0, 0}, {100, 40, 40}}});
+  const std::uint64_t wall = std::uint64_t{1600} * 1599 / 2;
+  EXPECT_EQ(count_visibility(patches, Occluders()).facing_away, 2 * wall + 16 * 15 / 2);
+  EXPECT_EQ(count_visibility(patches, occluders).facing_away, 2 * wall + 16 * 15 / 2);
+  EXPECT_EQ(count_visibility(patches, patches, Occluders()).facing_away, 2 * (1600 * 1600) + 16 * 16);
+  const std::vector<Box> boxes{{{1, 3, 1}, {1, 5, 1}}, {{1, 3, 1}, {1.5F, 5, 1}}};  // in the first wall, and not
+  EXPECT_EQ(count_visibility(patches, PatchSet(std::span<const Box>(boxes)), Occluders()).facing_away, 1600U);
+  EXPECT_EQ(count_visibility(PatchSet(std::span<const Box>(boxes)), patches, Occluders()).facing_away, 1600U);
+}
+
+TEST(VisibilityOfCorners, PatchesOfBothSidesInOnePlaneFaceAwayWhereTheyAreBoxes) {
+  Walls walls;
+  walls.add({0, 0, 0}, {0, 4, 0}, {0, 0, 4}, 4, 4);
+  walls.add({0, 0, 0}, {4, 0, 0}, {0, 4, 0}, 4, 4);
+  EXPECT_EQ(count_visibility(walls.patches(PatchSides::both), Occluders()).facing_away, std::uint64_t{16} * 15);
+}
+
 // Groups of groups of one leaning wall, seen from behind by boxes that face it.
 TEST(VisibilityOfCorners, NothingFacesAwayFromAWallOfBothSides) {
   Walls walls;
