@@ -21,7 +21,9 @@ std::string source_text(const HullInput& input) {
     }
     return text + "}";
   };
-  return "HullInput{" + list(input.points) + ", " + list(input.directions) + "}";
+  const char* const contact = input.contact == Contact::open ? ", Contact::open" : ", Contact::closed";
+  return "HullInput{" + list(input.points) + ", " + list(input.directions) + contact + ", " +
+         std::to_string(input.first_end) + "}";
 }
 
 namespace oracle {

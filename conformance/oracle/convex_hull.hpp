@@ -11,6 +11,7 @@
 #include <gmpxx.h>
 
 #include <array>
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,6 +27,8 @@ namespace shaftcull {
 struct HullInput {
   std::vector<Vec3> points{};
   std::vector<Vec3> directions{};
+  Contact contact = Contact::closed;
+  std::size_t first_end = 0;  ///< how many of the points are one of two ends; 0 if there are no two
 };
 
 /// C++ source text that makes the same values again, to the bit.

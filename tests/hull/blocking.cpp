@@ -15,6 +15,7 @@
 #include "instruction_sets.hpp"
 #include "message_of.hpp"
 #include "oracle/blocking.hpp"
+#include "oracle/cases/ends.hpp"
 #include "oracle/random.hpp"
 #include "oracle/shaft_input.hpp"
 #include "sanitizers.hpp"
@@ -32,37 +33,6 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 using Points = std::vector<Vec3>;
-
-struct Ends {
-  Points p;
-  Points q;
-};
-
-/// Two triangles or quadrilaterals, at any angle or on a grid, one to the left and the other to the right.
-Ends random_ends(Random& random, bool on_grid) {
-  Ends ends;
-  for (Points* const end : {&ends.p, &ends.q}) {
-    const float x = end == &ends.p ? -6.0F : 6.0F;
-    const unsigned corners = 1 + random.below(4);
-    for (unsigned c = 0; c != corners; ++c) {
-      end->push_back(on_grid ? Vec3{x + random.integer(-1, 1), random.integer(-2, 2), random.integer(-2, 2)}
-                             : Vec3{x + random.uniform(-1, 1), random.uniform(-2, 2), random.uniform(-2, 2)});
-    }
-    if (random.one_in(4)) {  // in a plane across x
-      for (Vec3& corner : *end) corner[0] = x;
-    }
-  }
-  if (random.one_in(4)) std::swap(ends.p, ends.q);
-  return ends;
-}
-
-/// A wall between the ends, as a rule: many block.
-Box random_wall(Random& random, bool on_grid) {
-  if (random.one_in(6)) return on_grid ? random.grid_box(-8, 8) : random.box(-8, 8, 0, 3);
-  const auto size = [&] { return on_grid ? random.integer(1, 3) : random.uniform(0.5F, 4); };
-  const float x = on_grid ? random.integer(-6, 6) : random.uniform(-6, 6);
-  return {{x, -size(), -size()}, {x + (random.one_in(3) ? 0 : size()), size(), size()}};
-}
 
 TEST(HullBlocking, BoxesBlockIfAllSegmentsBetweenCornersPassThroughThem) {
   std::size_t blocked = 0;

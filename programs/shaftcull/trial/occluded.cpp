@@ -21,8 +21,17 @@ void Trial::note_blocking(std::size_t i, const ShaftInput& input) {
   if (!is_outside && oracle::blocks(input.a, input.b, boxes()[i])) blocking_[i / 64] |= bit_of(i);
 }
 
+void Trial::note_blocking(std::size_t i, const HullInput& input) {
+  const auto end = input.points.begin() + static_cast<std::ptrdiff_t>(input.first_end);
+  const std::vector<Vec3> p(input.points.begin(), end);
+  const std::vector<Vec3> q(end, input.points.end());
+  if (oracle::blocks(p, q, boxes()[i])) blocking_[i / 64] |= bit_of(i);
+}
+
 void Trial::ask_blocking(const CompiledShaft& shaft, const char* how) {
-  if (spheres_ || !std::holds_alternative<ShaftInput>(input_)) return;
+  const auto* const hull = std::get_if<HullInput>(&input_);
+  const bool has_ends = hull != nullptr ? hull->first_end != 0 : std::holds_alternative<ShaftInput>(input_);
+  if (spheres_ || !has_ends) return;
   const auto question = [&](const char* call) {
     return [=] { return fmt::format("{}, {}, {}", call, how, name(active_isa())); };
   };

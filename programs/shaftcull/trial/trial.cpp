@@ -96,8 +96,10 @@ Trial::Trial(std::uint64_t seed, std::uint64_t number, std::size_t bounds)
     make_between_boxes(random, families[subject_], Turn(number).round);
   } else if (subject_ < std::size(families) + std::size(moving_kinds)) {
     make_moving(random, moving_kinds[subject_ - std::size(families)]);
-  } else {
+  } else if (subject_ + 1 != subjects) {
     make_hull(random);
+  } else {
+    make_hull_between_ends(random);
   }
   counts_.bounds = count_;
   counts_.outside = count_ - BitView(kept_).count();
@@ -111,7 +113,9 @@ const char* Trial::subject_name(std::size_t subject) noexcept {
   static_assert(std::size(kind_names) == std::size(moving_kinds));
   if (subject < std::size(families)) return families[subject].name;
   subject -= std::size(families);
-  return subject < std::size(kind_names) ? kind_names[subject] : "convex hulls";
+  if (subject < std::size(kind_names)) return kind_names[subject];
+  subject -= std::size(moving_kinds);
+  return subject == 0 ? "convex hulls" : "polygon shafts";
 }
 
 void Trial::set(std::size_t i, const Box& box) noexcept {

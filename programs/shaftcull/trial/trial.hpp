@@ -50,8 +50,9 @@ class Trial {
   /// often, kinds of moving boxes and convex hulls.
   Trial(std::uint64_t seed, std::uint64_t number, std::size_t bounds);
 
-  /// What trials are about: families of shafts between two boxes, then kinds of moving boxes, then convex hulls.
-  static constexpr std::size_t subjects = std::size(families) + std::size(moving_kinds) + 1;
+  /// What trials are about: families of shafts between two boxes, then kinds of moving boxes, then convex hulls, of
+  /// points and directions, and between two ends.
+  static constexpr std::size_t subjects = std::size(families) + std::size(moving_kinds) + 2;
   [[nodiscard]] static const char* subject_name(std::size_t subject) noexcept;
 
   /// How many bounds the trial of that number has when it is not cut short: mostly a word of them.
@@ -70,6 +71,7 @@ class Trial {
   void make_between_boxes(Random& random, const Family& family, unsigned index);
   void make_moving(Random& random, MovingKind kind);
   void make_hull(Random& random);
+  void make_hull_between_ends(Random& random);
   void set(std::size_t i, const Box& box) noexcept;
   void set(std::size_t i, const Sphere& sphere) noexcept;
   void note(std::size_t i, Answer right) noexcept;
@@ -98,6 +100,7 @@ class Trial {
   void ask_tree(const CompiledShaft& shaft, const View& view, const char* how);
 
   void note_blocking(std::size_t i, const ShaftInput& input);
+  void note_blocking(std::size_t i, const HullInput& input);
   void ask_blocking(const CompiledShaft& shaft, const char* how);
 
   void sometimes_find_first_contact(Random& random);
@@ -125,7 +128,7 @@ class Trial {
   std::size_t start_[6] = {};  ///< of each stream in memory_
   std::vector<std::uint64_t> kept_;
   std::vector<std::uint64_t> inside_;
-  std::vector<std::uint64_t> blocking_;           ///< of shafts between two boxes
+  std::vector<std::uint64_t> blocking_;           ///< of shafts between two boxes or two ends
   std::optional<FirstContact> first_;             ///< right, if it is asked for
   std::vector<Triangle> triangles_;               ///< if triangles are asked about: as many as bounds
   std::vector<std::uint64_t> kept_triangles_[2];  ///< right, by TriangleTest
