@@ -158,7 +158,10 @@ SightScene scene_of(const Case& it, const Usable& usable) {
   }
   // In one case of three patches are polygons: facets of these boxes, or turned ones, in their planes now and then.
   const bool has_polygons = it.boxes.size() % 3 == 1 && !scene.a.empty();
-  return has_polygons ? with_corners(std::move(scene), 64 * it.boxes.size() + it.planes.size()) : scene;
+  if (!has_polygons) return scene;
+  scene = with_corners(std::move(scene), 64 * it.boxes.size() + it.planes.size());
+  if (it.boxes.size() % 2 != 0) scene.sides = PatchSides::both;
+  return scene;
 }
 
 /// Empty, or for which pair two answers differ; `expected` may change the first.

@@ -19,11 +19,15 @@ std::uint64_t scene_seed(std::uint64_t seed, std::uint64_t number) {
 
 /// Whether patches are polygons, in one of three scenes of each scenery.
 bool has_polygons(std::uint64_t number) { return number / sight_sceneries % 3 == 2; }
+/// Whether these are seen from both sides, in every other one of these scenes.
+bool has_both_sides(std::uint64_t number) { return number / sight_sceneries % 6 == 5; }
 
 SightScene sight_scene_of(std::uint64_t seed, std::uint64_t number) {
   const std::uint64_t of_scene = scene_seed(seed, number);
   if (!has_polygons(number)) return random_sight_scene(scenery_of(number), of_scene, most_sight_patches);
-  return with_corners(random_sight_scene(scenery_of(number), of_scene, most_polygons), of_scene);
+  SightScene scene = with_corners(random_sight_scene(scenery_of(number), of_scene, most_polygons), of_scene);
+  if (has_both_sides(number)) scene.sides = PatchSides::both;
+  return scene;
 }
 
 std::string text_of_sights(std::uint64_t seed, std::uint64_t number) {
@@ -31,7 +35,8 @@ std::string text_of_sights(std::uint64_t seed, std::uint64_t number) {
   const std::string name_of = name(scenery_of(number));
   if (!has_polygons(number))
     return fmt::format("random_sight_scene({}, {}, {})", name_of, of_scene, most_sight_patches);
-  return fmt::format("with_corners(random_sight_scene({}, {}, {}), {})", name_of, of_scene, most_polygons, of_scene);
+  return fmt::format("with_corners(random_sight_scene({}, {}, {}), {}){}", name_of, of_scene, most_polygons, of_scene,
+                     has_both_sides(number) ? " of both sides" : "");
 }
 
 }  // namespace
