@@ -248,6 +248,53 @@ TEST(VisibilityOfCorners, PatchesOfBothSidesInOnePlaneFaceAwayWhereTheyAreBoxes)
   EXPECT_EQ(count_visibility(walls.patches(PatchSides::both), Occluders()).facing_away, std::uint64_t{16} * 15);
 }
 
+// Two walls that pass through each other: groups of the one reach to both sides of the other. Boxes float beside them,
+// within the boxes around patches and elsewhere.
+TEST(VisibilityOfCorners, GroupsOfBothSidesAreAnsweredAsTheirPatchesAre) {
+  constexpr int size = 12;
+  Walls leaning;
+  leaning.add({0, 0, 0}, {size, 0, size}, {0, size, 0}, 9, 9);
+  Walls across;
+  across.add({size, 0, 0}, {-size, 0, size}, {0, size, 0}, 9, 8);
+  std::vector<Box> floating;
+  for (int i = 0; i != 6; ++i) {
+    const auto y = static_cast<float>(2 * i);
+    const float along = 1.3F * y;
+    for (const float off : {-2.0F, -0.25F, 0.25F, 2.0F}) {
+      const Vec3 lo{along + off, y, along - off};
+      floating.push_back({lo, {lo[0] + 0.125F, lo[1] + 1, lo[2] + 0.125F}});
+      floating.push_back({{size - lo[0], lo[1], lo[2]}, {size - lo[0] + 0.125F, lo[1] + 1, lo[2] + 0.125F}});
+    }
+  }
+  Occluders occluders;
+  occluders.add_boxes(floating);
+  occluders.add_polygons(std::vector<Vec3>{{0, 0, 0}, {size, 0, size}, {size, size, size}, {0, size, 0}},
+                         std::vector<std::size_t>{0, 4});
+  const std::vector<Vec3> a_corners = leaning.rounded();
+  const std::vector<Vec3> b_corners = across.rounded();
+  const std::vector<std::size_t> one{0, 4};
+  VisibilityOptions options;
+  options.tolerance = 0x1p-12F;
+  SightCounts expected;
+  for (std::size_t i = 0; i != a_corners.size(); i += 4) {
+    const PatchSet a(std::span<const Vec3>(a_corners).subspan(i, 4), one, PatchSides::both);
+    for (std::size_t j = 0; j != b_corners.size(); j += 4) {
+      const PatchSet b(std::span<const Vec3>(b_corners).subspan(j, 4), one, PatchSides::both);
+      const SightCounts pair = count_visibility(a, b, occluders, options);
+      expected.undecided += pair.undecided;
+      expected.clear += pair.clear;
+      expected.occluded += pair.occluded;
+      expected.facing_away += pair.facing_away;
+    }
+  }
+  EXPECT_GT(expected.undecided, 1000U);
+  EXPECT_GT(expected.clear, 1000U);
+  const PatchSet a = leaning.patches(PatchSides::both);
+  const PatchSet b = across.patches(PatchSides::both);
+  EXPECT_EQ(count_visibility(a, b, occluders, options), expected);
+  EXPECT_EQ(count_visibility(b, a, occluders, options), expected);
+}
+
 // Groups of groups of one leaning wall, seen from behind by boxes that face it.
 TEST(VisibilityOfCorners, NothingFacesAwayFromAWallOfBothSides) {
   Walls walls;
