@@ -2,9 +2,11 @@
 /// Visibility: which pairs of patches see each other for certain, which cannot, and which need a closer look.
 ///
 /// A *patch* is a convex polygon by its corners, as a facet of a wall is, or a box: that of a point, or of a cell of a
-/// receiving volume. A polygon faces one side of its plane, or both sides (PatchSides): then it faces another patch
-/// that lies on one side of it, and has no plane for one that reaches to both. A box may have a plane. *Occluders*
-/// stand between patches. Each pair gets one of four answers, in which the box of a polygon is the one around it:
+/// receiving volume. A polygon faces one side of its plane, or both sides (PatchSides): then it faces any patch that
+/// lies on one side of its plane up to the tolerance, or of all its planes, and has no plane for one that reaches to
+/// both sides. A box may have a plane. *Occluders* stand between patches.
+///
+/// Each pair gets one of four answers, in which the box of a polygon is the one around it:
 ///
 /// * `facing_away`: all corners of one patch lie on or behind the plane of the other patch, or in that plane if it is
 ///   seen from both sides.
@@ -16,8 +18,9 @@
 ///
 /// A *solid* is a solid box, or a solid hull, or a larger box that several boxes form together, as merged_boxes() finds
 /// it (solids.hpp). The boxes that inscribed_box() finds inside solid hulls (solids.hpp) are among these boxes. A hull
-/// without an interior hides nothing. A polygon has no interior: it hides two patches if every segment between their
-/// relative interiors passes from one side of its plane to the other, within its edges.
+/// that has all corners of the box around it is this solid box. Others without an interior hide nothing. A polygon has
+/// no interior: it hides two patches if every segment between their relative interiors passes from one side of its
+/// plane to the other, within its edges.
 ///
 /// A patch of a turned wall, whose corners are rounded, may lie a little behind the wall. So a polygon hides no patch
 /// that lies in its plane, up to VisibilityOptions::tolerance. A hull hides two patches only if, for each of its faces,
@@ -28,11 +31,11 @@
 /// either answer, the same on every instruction set and for any number of threads.
 ///
 /// An occluder reaches into the shaft if cull() with open contact (Contact in compiled.hpp) keeps the box around it,
-/// and if neither plane has all corners of the occluder on it or behind it. The corners of a box, solid or not, are its
-/// eight corners. The corners of a hull or a polygon are the given points, not the corners of the box around it. The
-/// corners of triangles are their vertices. A group of neighbouring triangles is one occluder: it lies behind a plane
-/// if all vertices of the group do. A patch with corners that are slightly out of plane has several planes; whatever
-/// lies behind it lies behind all of them. "Behind" is up to VisibilityOptions::tolerance.
+/// and, with either contact, if neither plane has all corners of the occluder on it or behind it. The corners of a box,
+/// solid or not, are its eight corners. The corners of a hull or a polygon are the given points, not the corners of the
+/// box around it. The corners of triangles are their vertices. A group of neighbouring triangles is one occluder: it
+/// lies behind a plane if all vertices of the group do. A patch with corners that are slightly out of plane has several
+/// planes; whatever lies behind it lies behind all of them. "Behind" is up to VisibilityOptions::tolerance.
 ///
 /// If a patch of the pair is not the box around it, the shaft between the patches is narrower than the one between
 /// their boxes. Then an occluder does not reach into it either if all corners of the occluder lie on or behind a plane
@@ -40,8 +43,9 @@
 /// corner of the two behind it and one in front. A turned wall is told apart from its box in this way.
 ///
 /// A group of at most 64 triangles must reach in by one of them, too: by the box around a triangle, in front of both
-/// planes, and, if one patch is not the box around it, on neither side of such a plane alone, nor with both patches on
-/// one side of its own plane. So a closed room that is one object hides nothing inside it.
+/// planes, and, if one patch is not the box around it, not all behind a plane of the last paragraph, and not with both
+/// patches on one side of the triangle's own plane up to the tolerance (with closed contact: strictly), unless all of
+/// both lies in it. So a closed room that is one object hides nothing inside it.
 ///
 /// Patches are stored in a tree, and groups of patches are compared first: an answer for two groups holds for all pairs
 /// in them. So time grows with the number of undecided pairs, and memory stays below a limit for any number of pairs.

@@ -313,6 +313,19 @@ TEST(VisibilityOfCorners, NothingFacesAwayFromAWallOfBothSides) {
   EXPECT_EQ(count_visibility(before, walls.patches(PatchSides::both), Occluders()).clear, pairs);
 }
 
+// A rectangle across an axis has the corners of the box around it; one that is turned has no interior.
+TEST(VisibilityOfCorners, AHullWithTheCornersOfItsBoxIsThisSolidBoxThoughItIsFlat) {
+  const std::vector<Box> ends{{{-2, -1, -1}, {-2, 1, 1}}, {{2, -1, -1}, {2, 1, 1}}};
+  const PatchSet patches{std::span<const Box>(ends)};
+  const std::vector<std::size_t> first{0, 4};
+  Occluders across;
+  across.add_solid_hulls(std::vector<Vec3>{{0, -3, -3}, {0, 3, -3}, {0, 3, 3}, {0, -3, 3}}, first);
+  EXPECT_EQ(count_visibility(patches, across).occluded, 1U);
+  Occluders aslant;
+  aslant.add_solid_hulls(std::vector<Vec3>{{0, -3, -3}, {1, 3, -3}, {1, 3, 3}, {0, -3, 3}}, first);
+  EXPECT_EQ(count_visibility(patches, aslant).undecided, 1U);
+}
+
 TEST(VisibilityOfCorners, ToleranceMovesEachCoordinate) {
   // The plane x + y + z = 3: moving each coordinate by t lowers the sum by 3 t.
   const std::vector<Vec3> corners{{3, 0, 0}, {0, 3, 0}, {0, 0, 3}};
