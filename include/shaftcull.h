@@ -759,7 +759,7 @@ SHAFTCULL_API shaftcull_status shaftcull_patches_create(const shaftcull_source* 
 typedef uint32_t shaftcull_patch_sides;
 enum {
   SHAFTCULL_PATCH_FRONT = 0, /* from the side from which its corners run counter-clockwise */
-  SHAFTCULL_PATCH_BOTH = 1   /* from both sides */
+  SHAFTCULL_PATCH_BOTH = 1   /* from both sides; two in one plane are facing away */
 };
 
 /// Patches that are convex polygons: patch i has the corners from first_corner[i] to before first_corner[i + 1], 3 to 8

@@ -4,7 +4,9 @@
 /// occluded/boxes lists those of the boxes of workload W that a shaft keeps, occluded/walls those of larger ones, of
 /// which some block; an item is one of these boxes. They are few of those that test/boxes/cull/slab tests, which it is
 /// compared with. occluded/tree asks a tree of walls about pairs of small patches, and occluded/any asks it whether the
-/// shaft keeps any; an item is a shaft.
+/// shaft keeps any; an item is a shaft. occluded/polygon/boxes and /polygons ask shafts between two boxes and between
+/// two triangles about a quadrilateral at any angle: an item is a call.
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -15,6 +17,7 @@
 
 #include "harness/suite.hpp"
 #include "scenes/random.hpp"
+#include "shaftcull/hull.hpp"
 #include "shaftcull/isa.hpp"
 #include "shaftcull/many.hpp"
 #include "shaftcull/occluded.hpp"
@@ -26,6 +29,7 @@ constexpr std::size_t shafts = Workload::test_shafts;
 constexpr std::size_t most_kept = 1024;  // of each shaft
 constexpr std::size_t walls = 20000;
 constexpr std::size_t pairs = 4096;
+constexpr std::size_t polygons = 256;  // and as many shafts
 
 /// Shafts, and boxes that each of them keeps.
 struct Kept {
@@ -78,6 +82,46 @@ struct City {
   }
 };
 
+/// Walls at any angle, anywhere in the world, and shafts between two small ends.
+struct Polygons {
+  std::vector<CompiledShaft> between_boxes;
+  std::vector<ConvexHull> between_triangles;
+  std::vector<std::array<Vec3, 4>> walls;
+
+  Polygons() {
+    Random random(4102);
+    const auto moved = [](const Vec3& from, const Vec3& by) {
+      return Vec3{from[0] + by[0], from[1] + by[1], from[2] + by[2]};
+    };
+    const auto edge = [&](float longest) {
+      return Vec3{random.uniform(-longest, longest), random.uniform(-longest, longest),
+                  random.uniform(-longest, longest)};
+    };
+    for (std::size_t i = 0; i != polygons; ++i) {
+      const Box a = random.box(0.3F, 0.5F);
+      const Box b = random.box(0.3F, 0.5F);
+      between_boxes.push_back(compile(a, b));
+      const std::array<Vec3, 3> p{a.lo, moved(a.lo, edge(0.5F)), moved(a.lo, edge(0.5F))};
+      const std::array<Vec3, 3> q{b.lo, moved(b.lo, edge(0.5F)), moved(b.lo, edge(0.5F))};
+      between_triangles.push_back(between_polygons(p, q));
+      const Vec3 corner = random.box(0.1F, 0.2F).lo;
+      const Vec3 u = edge(3);
+      const Vec3 v = edge(3);
+      walls.push_back({corner, moved(corner, u), moved(moved(corner, u), v), moved(corner, v)});
+    }
+  }
+};
+
+template <class Shafts>
+void ask_about_polygons(benchmark::State& state, const Shafts& of, const std::vector<std::array<Vec3, 4>>& walls) {
+  for (auto _ : state) {
+    for (const CompiledShaft& shaft : of) {
+      for (const std::array<Vec3, 4>& wall : walls) benchmark::DoNotOptimize(occluded(shaft, std::span(wall)));
+    }
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(polygons * polygons));
+}
+
 void declare_lists(Suite& suite, const std::string& name, Isa isa,
                    const std::shared_ptr<std::unique_ptr<const Kept>>& lazily,
                    const std::function<std::unique_ptr<const Kept>()>& make) {
@@ -103,6 +147,7 @@ void declare_occluded(Suite& suite, const Workload& workload) {
   const auto of_workload = std::make_shared<std::unique_ptr<const Kept>>();
   const auto of_walls = std::make_shared<std::unique_ptr<const Kept>>();
   const auto city = std::make_shared<std::unique_ptr<City>>();
+  const auto polygon_scene = std::make_shared<std::unique_ptr<const Polygons>>();
   for (const Isa isa : available_isas()) {
     if (isa != Isa::avx2 && isa != Isa::avx512) continue;
     declare_lists(suite, "occluded/boxes", isa, of_workload,
@@ -127,6 +172,15 @@ void declare_occluded(Suite& suite, const Workload& workload) {
               ask_city([](City& asked) { occluded_many(asked.compiled, asked.tree, asked.bits); }));
     suite.add("occluded/any/" + set, "",
               ask_city([](City& asked) { any_many(asked.compiled, asked.tree, asked.bits); }));
+  }
+  // Alike on all instruction sets.
+  for (const bool are_boxes : {true, false}) {
+    suite.add(are_boxes ? "occluded/polygon/boxes" : "occluded/polygon/polygons", "", [=](benchmark::State& state) {
+      if (!*polygon_scene) *polygon_scene = std::make_unique<const Polygons>();
+      const Polygons& scene = **polygon_scene;
+      if (are_boxes) return ask_about_polygons(state, scene.between_boxes, scene.walls);
+      ask_about_polygons(state, scene.between_triangles, scene.walls);
+    });
   }
 }
 

@@ -96,6 +96,25 @@ bool is_not_within(const Vec3& point, unsigned f, float x) noexcept {
   return f < 3 ? point[f] <= x : point[f - 3] >= x;
 }
 
+/// Whether a segment certainly misses a box. Then so do those near it.
+bool certainly_misses(const Vec3& from, const Vec3& to, const float (&bound)[6]) noexcept {
+  constexpr double margin = 0x1p-40;  // a few roundings of doubles
+  double enters = 0;
+  double leaves = 1;
+  for (unsigned k = 0; k != 3; ++k) {
+    const double along = double{to[k]} - from[k];
+    const double lo = double{bound[k]} - from[k];
+    const double hi = double{bound[k + 3]} - from[k];
+    if (along == 0) {
+      if (lo > 0 || hi < 0) return true;
+      continue;
+    }
+    enters = std::max(enters, (along > 0 ? lo : hi) / along);
+    leaves = std::min(leaves, (along > 0 ? hi : lo) / along);
+  }
+  return enters * (1 - margin) - margin > leaves + margin * std::fabs(leaves);
+}
+
 /// Whether every segment leaves the half-space of face `last`, in which it starts, after it enters that of face
 /// `first`, in which it ends; or at the same time, if `together`.
 bool leave_after_entering(std::span<const Vec3> a, std::span<const Vec3> b, const float (&bound)[6], unsigned last,
@@ -122,6 +141,7 @@ bool leave_after_entering(std::span<const Vec3> a, std::span<const Vec3> b, cons
 }  // namespace
 
 bool box_blocks(std::span<const Vec3> a, std::span<const Vec3> b, const float (&bound)[6]) noexcept {
+  if (certainly_misses(a.front(), b.front(), bound) || certainly_misses(a.back(), b.back(), bound)) return false;
   bool leaves[6];  // segments start within the half-space of the face, and some end beyond it or at it
   bool enters[6];
   for (unsigned f = 0; f != 6; ++f) {

@@ -861,7 +861,8 @@ class Patches:
     boxes: float32 (n, 6), or as those of BoxStream: around facets, points, or cells of a volume. Or corners of
         convex polygons, float32 (n, k, 3) or a list of arrays (k, 3), 3 to 8 of them: a polygon faces the side
         from which its corners run counter-clockwise, and has no plane of `planes`.
-    sides: 'both' is for polygons that are seen from both sides. Boxes without planes always are.
+    sides: 'both' is for polygons that are seen from both sides; two in one plane face away. Boxes without
+        planes are seen from all sides.
     planes: float32 (n, 4), or (4,) for all: normal and offset. A patch faces where its normal points. Planes
         are never rounded outwards: round those of float64 by astype(numpy.float32).
     rounding: 'outwards' takes boxes of float64, too, and contains them: pairs that are clear or occluded are so

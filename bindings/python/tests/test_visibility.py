@@ -31,7 +31,8 @@ def test_corners_make_patches():
     assert sc.count_visibility(low, above, tolerance=0.125)["facing_away"] == 1
     of_both = sc.Patches(leaning, sides="both")
     assert sc.Patches(leaning).has_planes and not of_both.has_planes
-    assert sc.count_visibility(of_both)["clear"] == 1
+    assert sc.count_visibility(of_both)["facing_away"] == 1
+    assert sc.count_visibility(of_both, above)["clear"] == 2
     with pytest.raises(ValueError, match="sides is 'back'; it must be 'front' or 'both'"):
         sc.Patches(leaning, sides="back")
     with pytest.raises(ValueError, match="sides is 'both', but boxes are Patches already"):

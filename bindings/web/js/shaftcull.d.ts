@@ -455,7 +455,7 @@ export interface VisibilityScene {
    * 3 floats. A patch faces the side from which its corners run counter-clockwise.
    */
   corners?: readonly Floats[];
-  /** 'both' if patches of `corners` and `cornersB` are seen from both sides; 'front' without it. */
+  /** 'both' if patches of `corners` and `cornersB` are seen from both sides: two in one plane face away. Default 'front'. */
   sides?: 'front' | 'both';
   /** The other set; without it, each two patches of one set are a pair, once. */
   patchesB?: Floats;

@@ -990,7 +990,10 @@ describe('visibility', () => {
   test('takes patches by their corners, within a tolerance', () => {
     const leaning = [[0, 0, 0, 1, 0, 1, 1, 1, 1], [0, 0, 0, 1, 1, 1, 0, 1, 0]];  // one square
     assert.equal(shaftcull.countVisibility({corners: leaning}).facing_away, 1);
-    assert.equal(shaftcull.countVisibility({corners: leaning, sides: 'both'}).clear, 1);
+    const behind = [[3, 0, 0, 3, 0, 1, 3, 1, 0]];
+    assert.equal(shaftcull.countVisibility({corners: leaning, cornersB: behind}).facing_away, 2);
+    assert.equal(shaftcull.countVisibility({corners: leaning, cornersB: behind, sides: 'both'}).clear, 2);
+    assert.equal(shaftcull.countVisibility({corners: leaning, sides: 'both'}).facing_away, 1);
     assert.throws(() => shaftcull.countVisibility({corners: leaning, sides: 'back'}), /sides/);
     assert.throws(() => shaftcull.countVisibility({patches: [0, 0, 0, 1, 1, 1], sides: 'both'}), /no corners/);
     const lifted = [leaning[0], [0, 0, 0.125, 1, 1, 1.125, 0, 1, 0.125]];
