@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// Which occluders lie behind planes of groups and patches of the ladder.
 #include <algorithm>
-#include <cmath>
 #include <span>
 
 #include "visibility/ladder_parts.hpp"
@@ -14,6 +13,17 @@ namespace {
 constexpr std::size_t few_points = 64;
 
 }  // namespace
+
+/// Whether points in a box lie on or behind planes of a lane. It may say no.
+bool Ladder::Side::has_behind(unsigned lane, const FacingPlanes& planes_of_lane, std::span<const Vec3> points,
+                              const BoxRow& around) const noexcept {
+  float a[6];
+  float b[6];
+  copy_box(lane, a);
+  std::copy_n(around.face, 6, b);
+  return are_behind(planes_of_lane, farthest_of(points, planes_of_lane.mean), reach_of(a, b), double{set.coordinate},
+                    double{set.tolerance});
+}
 
 /// Lanes of `asked` on or behind all of whose planes an occluder lies.
 std::uint64_t Ladder::behind(const Side& lanes, std::uint32_t occluder, std::uint64_t asked) {
@@ -30,12 +40,7 @@ std::uint64_t Ladder::behind(const Side& lanes, std::uint32_t occluder, std::uin
   if (!lanes.are_patches) {
     if (points.size() > few_points) return behind;
     for_each_lane(asked & ~behind & lanes.not_boxes, [&](unsigned lane) {
-      const FacingPlanes planes = lanes.facing_planes_of(lane);
-      float a[6];
-      lanes.copy_box(lane, a);
-      const float b[6] = {box[0], box[1], box[2], box[3], box[4], box[5]};
-      if (are_behind(planes, farthest_of(points, planes.mean), reach_of(a, b), double{lanes.set.coordinate},
-                     double{lanes.set.tolerance})) {
+      if (lanes.has_behind(lane, lanes.facing_planes_of(lane), points, job_.occluders.boxes[occluder])) {
         behind |= bit(lane);
       }
     });
@@ -95,29 +100,23 @@ std::uint64_t Ladder::drop_behind_faced(const Level& level, const Side& lanes, c
       if (group.is_behind(0, planes, lanes, lane)) back |= bit(lane);
     });
   }
+  const auto behind_of = [&](std::uint32_t occluder, std::uint64_t asked) {
+    PatchCorners of_box;
+    const std::span<const Vec3> points = points_or_corners(occluder, of_box);
+    if (lanes.are_patches) return behind_faced(lanes, {occluder, false}, points, asked & front, asked & back);
+    std::uint64_t behind = 0;
+    if (points.size() > few_points) return behind;
+    for_each_lane(asked, [&](unsigned lane) {
+      const FacingPlanes planes = lanes.facing_planes_of(lane);
+      const FacingPlanes faced = (front & bit(lane)) != 0 ? planes : planes.reversed();
+      if (lanes.has_behind(lane, faced, points, job_.occluders.boxes[occluder])) behind |= bit(lane);
+    });
+    return behind;
+  };
   left = 0;
   for (std::size_t i = 0; i != kept.size(); ++i) {
-    const std::uint32_t occluder = level.lists.candidates[i];
-    const std::uint64_t of_front = kept[i] & front;
-    const std::uint64_t of_back = kept[i] & back;
-    PatchCorners of_box;
-    if ((of_front | of_back) == 0) {
-    } else if (lanes.are_patches) {
-      kept[i] &= ~behind_faced(lanes, {occluder, false}, points_or_corners(occluder, of_box), of_front, of_back);
-    } else if (const std::span<const Vec3> points = points_or_corners(occluder, of_box); points.size() <= few_points) {
-      float b[6];
-      std::copy_n(job_.occluders.boxes[occluder].face, 6, b);
-      for_each_lane(of_front | of_back, [&](unsigned lane) {
-        const FacingPlanes planes = lanes.facing_planes_of(lane);
-        const FacingPlanes faced = (of_front & bit(lane)) != 0 ? planes : planes.reversed();
-        float a[6];
-        lanes.copy_box(lane, a);
-        if (are_behind(faced, farthest_of(points, faced.mean), reach_of(a, b), double{lanes.set.coordinate},
-                       double{lanes.set.tolerance})) {
-          kept[i] &= ~bit(lane);
-        }
-      });
-    }
+    const std::uint64_t asked = kept[i] & (front | back);
+    if (asked != 0) kept[i] &= ~behind_of(level.lists.candidates[i], asked);
     left |= kept[i];
   }
   return left;

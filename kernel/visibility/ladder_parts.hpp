@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "visibility/ladder.hpp"
@@ -138,6 +139,8 @@ struct Ladder::Side {
   [[nodiscard]] FacingPlanes facing_planes_of(unsigned lane) const noexcept;
   [[nodiscard]] bool is_behind(unsigned lane, const FacingPlanes& planes_of_other, const Side& other,
                                unsigned other_lane) const noexcept;
+  [[nodiscard]] bool has_behind(unsigned lane, const FacingPlanes& planes_of_lane, std::span<const Vec3> points,
+                                const BoxRow& around) const noexcept;
   [[nodiscard]] bool is_in_planes(unsigned lane, const Side& other, unsigned other_lane) const noexcept;
   [[nodiscard]] std::uint64_t patches_behind(const PlaneRow& plane, std::uint64_t asked,
                                              const SiblingKernels& kernels) const noexcept;
