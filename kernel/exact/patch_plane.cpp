@@ -139,7 +139,7 @@ bool ExactPlanes::is_behind(unsigned lane, const float (&point)[3]) const noexce
     for (unsigned c = 0; c != corners; ++c) {
       for (unsigned k = 0; k != 3; ++k) corner_of[c][k] = corner[3 * c + k][first + lane];
     }
-    if (are_reversed) std::reverse(corner_of.begin() + 1, corner_of.begin() + corners);
+    if (are_reversed) std::reverse(corner_of.data() + 1, corner_of.data() + corners);
     return is_behind_patch({corner_of.data(), corners}, tolerance, {point[0], point[1], point[2]});
   }
   // Products of two floats are exact in doubles.

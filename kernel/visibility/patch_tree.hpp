@@ -57,7 +57,7 @@ class PatchCorners {
   /// The other way round the patch, from the same corner on.
   [[nodiscard]] PatchCorners reversed() const noexcept {
     PatchCorners corners = *this;
-    std::reverse(corners.at_.begin() + 1, corners.at_.begin() + count_);
+    std::reverse(corners.at_.data() + 1, corners.at_.data() + count_);
     return corners;
   }
 
