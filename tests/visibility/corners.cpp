@@ -224,7 +224,7 @@ void expect_walls_face_away(int size, float tolerance) {
   occluders.add_polygons(std::vector<Vec3>{{0, 0, 0}, {end, 0, end}, {end, end, end}, {0, end, 0}},
                          std::vector<std::size_t>{0, 4});
   occluders.add_boxes(std::vector<Box>{{{60, 0, 0}, {100, end, end}}});
-  const auto wall = static_cast<std::uint64_t>(size * size);
+  const std::uint64_t wall = static_cast<std::uint64_t>(size) * static_cast<std::uint64_t>(size);
   VisibilityOptions options;
   options.tolerance = tolerance;
   EXPECT_EQ(count_visibility(patches, Occluders(), options).facing_away, wall * (wall - 1) + 16 * 15 / 2);
@@ -302,7 +302,8 @@ TEST(VisibilityOfCorners, NothingFacesAwayFromAWallOfBothSides) {
   std::vector<Box> boxes;
   std::vector<Plane> planes;
   for (int i = 0; i != 400; ++i) {
-    const Vec3 at{60 + static_cast<float>(i % 20), static_cast<float>(i / 20), 1};
+    const int row = i / 20;
+    const Vec3 at{60 + static_cast<float>(i % 20), static_cast<float>(row), 1};
     boxes.push_back({at, at});
     planes.push_back({{-1, 0, 0}, -at[0]});
   }
