@@ -62,25 +62,20 @@ class Ladder {
     const float* end[3];
     alignas(64) float least[most_siblings];  ///< as SegmentStart has it
   };
-  /// A group of patches and points. Bit i of `lanes` says that all points lie on or behind the plane of patch i of the
-  /// group.
-  struct PointsBehind {
-    /// Whose points they are, and which planes.
-    enum class Of : std::uint8_t { planes, reversed_planes, part, reversed_part };
-    struct Key {
-      std::uint32_t number = 0;  ///< of an occluder, or of one of its parts
-      Of of = Of::planes;
-      bool operator==(const Key&) const = default;
-    };
-    const PatchTree* tree = nullptr;
-    std::uint32_t first = 0;  ///< position of the first patch of the group
-    Key key;
-    std::uint64_t lanes = 0;
-  };
   /// An occluder, or a triangle of one.
   struct PointsOf {
-    std::uint32_t number;
-    bool is_part;
+    std::uint32_t number = 0;
+    bool is_part = false;
+    bool operator==(const PointsOf&) const = default;
+  };
+  /// A group of patches and points. Bit i of `lanes` says that all points lie on or behind the plane of patch i of the
+  /// group, or behind it reversed.
+  struct PointsBehind {
+    const PatchTree* tree = nullptr;
+    std::uint32_t first = 0;  ///< position of the first patch of the group
+    PointsOf of;
+    bool is_reversed = false;
+    std::uint64_t lanes = 0;
   };
   /// Of a row of pairs: lanes in which one patch lies on one side of the plane of the other, which is seen from both.
   struct Faced {
@@ -113,8 +108,8 @@ class Ladder {
                                            std::uint64_t front, std::uint64_t back);
   [[nodiscard]] std::uint64_t behind_faced(const Side& rows, unsigned row, const Side& columns, const PointsOf& of,
                                            std::span<const Vec3> points, std::uint64_t asked);
-  [[nodiscard]] std::uint64_t all_behind(const Side& lanes, const PlaneStreams& planes, const PointsBehind::Key& key,
-                                         std::span<const Vec3> points);
+  [[nodiscard]] std::uint64_t all_behind(const Side& lanes, const PointsOf& of, std::span<const Vec3> points,
+                                         bool is_reversed);
   [[nodiscard]] std::span<const Vec3> points_or_corners(std::uint32_t occluder, PatchCorners& of_box) const noexcept;
   void go_into_itself(std::size_t depth, const Side& rows, unsigned row);
   void answer_row(std::size_t depth, const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes);

@@ -51,22 +51,23 @@ std::uint64_t Ladder::behind(const Side& lanes, std::uint32_t occluder, std::uin
     return behind |
            job_.kernels.points_behind_planes(lanes.planes, lanes.count, points.data(), points.size(), asked & ~behind);
   }
-  return asked & (behind | all_behind(lanes, lanes.planes, {occluder, PointsBehind::Of::planes}, points));
+  return asked & (behind | all_behind(lanes, {occluder, false}, points, false));
 }
 
-/// Patches of a side on or behind whose planes all points lie, of `planes`. The same ones are asked for again and
-/// again, and some need exact arithmetic: what was found is kept.
-std::uint64_t Ladder::all_behind(const Side& lanes, const PlaneStreams& planes, const PointsBehind::Key& key,
-                                 std::span<const Vec3> points) {
+/// Patches of a side on or behind whose planes all points lie, or behind these planes reversed. The same ones are asked
+/// for again and again, and some need exact arithmetic: what was found is kept.
+std::uint64_t Ladder::all_behind(const Side& lanes, const PointsOf& of, std::span<const Vec3> points,
+                                 bool is_reversed) {
   constexpr std::size_t kept = std::size_t{1} << 16;
   if (points_behind_.empty()) points_behind_.resize(kept);
-  const std::uint32_t mixed =
-      lanes.first * 0x9e3779b1U ^ key.number * 0x85ebca6bU ^ static_cast<std::uint32_t>(key.of) * 0xc2b2ae35U;
+  const std::uint32_t which = (of.is_part ? 2U : 0U) + (is_reversed ? 1U : 0U);
+  const std::uint32_t mixed = lanes.first * 0x9e3779b1U ^ of.number * 0x85ebca6bU ^ which * 0xc2b2ae35U;
   PointsBehind& known = points_behind_[mixed >> 16U];
-  if (known.tree != &lanes.set.tree || known.first != lanes.first || known.key != key) {
-    known = {
-        &lanes.set.tree, lanes.first, key,
-        job_.kernels.points_behind_planes(planes, lanes.count, points.data(), points.size(), first_lanes(lanes.count))};
+  if (known.tree != &lanes.set.tree || known.first != lanes.first || known.of != of ||
+      known.is_reversed != is_reversed) {
+    known = {&lanes.set.tree, lanes.first, of, is_reversed,
+             job_.kernels.points_behind_planes(is_reversed ? lanes.reversed_planes : lanes.planes, lanes.count,
+                                               points.data(), points.size(), first_lanes(lanes.count))};
   }
   return known.lanes;
 }
@@ -125,15 +126,9 @@ std::uint64_t Ladder::drop_behind_faced(const Level& level, const Side& lanes, c
 /// Patches of a side on or behind whose planes points lie: of those whose front is seen, and of those whose back is.
 std::uint64_t Ladder::behind_faced(const Side& lanes, const PointsOf& of, std::span<const Vec3> points,
                                    std::uint64_t front, std::uint64_t back) {
-  using Of = PointsBehind::Of;
   std::uint64_t behind = 0;
-  if (front != 0) {
-    behind = front & all_behind(lanes, lanes.planes, {of.number, of.is_part ? Of::part : Of::planes}, points);
-  }
-  if (back != 0) {
-    behind |= back & all_behind(lanes, lanes.reversed_planes,
-                                {of.number, of.is_part ? Of::reversed_part : Of::reversed_planes}, points);
-  }
+  if (front != 0) behind = front & all_behind(lanes, of, points, false);
+  if (back != 0) behind |= back & all_behind(lanes, of, points, true);
   return behind;
 }
 
