@@ -10,8 +10,9 @@
 /// ray must.
 ///
 /// sees/SCENE/occluders prepares what may hide something, as the peer's tree is prepared; an item is an occluder. It is
-/// in no other row. sees/SCENE/all counts answers for all pairs of a scene, sets formed anew; `finer` does so for four
-/// times the patches on the same surfaces. sees/SCENE/all/deliver has them delivered, with candidates, to a callback
+/// in no other row. sees/SCENE/all counts answers for all pairs of a scene, sets formed anew; `boxes` does so with
+/// turned solids that hide as the boxes inside them alone, `finer` for four times the patches on the same surfaces.
+/// sees/SCENE/all/deliver has them delivered, with candidates, to a callback
 /// that reads them all. An item is a pair.
 #include <algorithm>
 #include <array>
@@ -115,16 +116,20 @@ void declare_delivery(Suite& suite, const std::shared_ptr<SeesScene>& sees, cons
       options);
 }
 
+enum class Asked : unsigned char { as_it_is, without_hulls, finer };
+
 void declare_all(Suite& suite, const std::shared_ptr<SeesScene>& sees, double pairs_per_second) {
   const std::string row = fmt::format("sees/{}/all", sees->name);
-  const auto add = [&](const std::string& name, bool finer, RunOptions options) {
-    (suite.quick() || finer ? options.once : options.brief) = true;
+  const auto add = [&](const std::string& name, Asked asked, RunOptions options) {
+    (suite.quick() || asked == Asked::finer ? options.once : options.brief) = true;
     suite.add(
         name, "",
         [=, &suite, noted = std::make_shared<bool>(options.threads != 1)](benchmark::State& state) {
           select_isa(measured_isa());
-          const PatchScene& scene = finer ? sees->finer() : sees->scene();
-          const Occluders& occluders = sees->occluders();  // whatever the patches, surfaces are the same
+          const PatchScene& scene = asked == Asked::finer ? sees->finer() : sees->scene();
+          // Whatever the patches, surfaces are the same.
+          const Occluders& occluders =
+              asked == Asked::without_hulls ? sees->occluders_without_hulls() : sees->occluders();
           SightCounts counts;
           for (auto _ : state) {
             const PatchSet patches(scene.patch_boxes, scene.patch_planes);
@@ -151,17 +156,18 @@ void declare_all(Suite& suite, const std::shared_ptr<SeesScene>& sees, double pa
               state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(scene.objects.size() - 1));
             },
             {.brief = !suite.quick(), .once = suite.quick()});
-  add(row, false, {});
-  suite.add_time_target(row, 1e9 / pairs_per_second);
+  add(row, Asked::as_it_is, {});
+  add(row + "/boxes", Asked::without_hulls, {});
+  suite.add_time_target(row + "/boxes", 1e9 / pairs_per_second);
   declare_delivery(suite, sees, row + "/deliver", {});
   if (all_threads() > 1) {
-    add(row + "/2threads", false, {.threads = 2, .wall_clock = true});
+    add(row + "/2threads", Asked::as_it_is, {.threads = 2, .wall_clock = true});
     suite.add_target(row + "/2threads", row, 1.85);
     declare_delivery(suite, sees, row + "/deliver/2threads", {.threads = 2, .wall_clock = true});
     suite.add_target(row + "/deliver/2threads", row + "/deliver", 1.6);  // the callback is called by one at a time
   }
   if (!suite.quick()) {
-    add(row + "/finer", true, {});
+    add(row + "/finer", Asked::finer, {});
     suite.add_time_ratio_target(row + "/finer", row, 10.0 / 16);  // ten times the time for 16 times the pairs
   }
 }

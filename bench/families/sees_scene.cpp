@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "shaftcull/geometry.hpp"
+#include "shaftcull/solids.hpp"
 #include "shaftcull/triangles.hpp"
 
 namespace shaftcull::bench {
@@ -19,16 +21,25 @@ Isa measured_isa() {
   return runs ? *asked : available.back();
 }
 
-Occluders occluders_of(const PatchScene& scene) {
+Occluders occluders_of(const PatchScene& scene, TurnedSolids turned) {
   Occluders occluders;
   occluders.add_solids(scene.boxes);
   std::vector<Vec3> corners;
   std::vector<std::size_t> first_corner{0};
+  std::vector<Box> around;
+  std::vector<Box> inside;
   for (const TurnedBox& box : scene.turned) {
     corners.insert(corners.end(), box.begin(), box.end());
     first_corner.push_back(corners.size());
+    around.push_back(box_around(box));
+    inside.push_back(inscribed_box(box));
   }
-  occluders.add_solid_hulls(corners, first_corner);
+  if (turned == TurnedSolids::hulls) {
+    occluders.add_solid_hulls(corners, first_corner);
+  } else {
+    occluders.add_boxes(around);
+    occluders.add_solids(inside);
+  }
   const std::size_t first = scene.objects[scene.first_mesh()];
   const TriangleStream meshes(std::span(scene.triangles).subspan(first));
   std::vector<std::size_t> first_triangle;

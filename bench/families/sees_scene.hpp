@@ -25,8 +25,9 @@ namespace shaftcull::bench {
 Isa measured_isa();
 
 /// Everything of a scene that may hide something: what is solid as such, meshes object by object. Ready for use: the
-/// first call finds which solids are one.
-Occluders occluders_of(const PatchScene& scene);
+/// first call finds which solids are one. Solids that are turned hide as hulls, or as the boxes inside them alone.
+enum class TurnedSolids : unsigned char { hulls, boxes_inside };
+Occluders occluders_of(const PatchScene& scene, TurnedSolids turned = TurnedSolids::hulls);
 
 /// "4.8 % clear, 86.0 % occluded, …"
 std::string shares_text(const SightCounts& counts);
@@ -66,6 +67,9 @@ class SeesScene {
   const Occluders& occluders() {
     return occluders_.get([&] { return occluders_of(scene()); });
   }
+  const Occluders& occluders_without_hulls() {
+    return occluders_without_hulls_.get([&] { return occluders_of(scene(), TurnedSolids::boxes_inside); });
+  }
 #ifdef SHAFTCULL_BENCH_WITH_EMBREE
   const std::vector<RayBox>& ray_boxes() {
     return ray_boxes_.get([&] { return ray_boxes_of(scene()); });
@@ -99,6 +103,7 @@ class SeesScene {
   Lazy<PatchScene> scene_;
   Lazy<PatchScene> finer_;
   Lazy<Occluders> occluders_;
+  Lazy<Occluders> occluders_without_hulls_;
 #ifdef SHAFTCULL_BENCH_WITH_EMBREE
   Lazy<std::vector<RayBox>> ray_boxes_;
   std::unique_ptr<EmbreeScene> embree_;

@@ -189,6 +189,7 @@ class Ladder {
   OwnFacesCache own_faces_;
   Faced faced_;                                ///< of the row of patches at hand
   std::vector<PointsBetween> points_between_;  ///< of candidates at hand that lanes are asked about
+  std::vector<PatchCorners> box_corners_;      ///< of those candidates that are boxes
   std::vector<Segments> segments_;
   std::vector<PointsBehind> points_behind_;
   std::vector<std::uint64_t> clump_lanes_;  // of each clump, the lanes that come near it

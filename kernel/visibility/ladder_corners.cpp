@@ -108,11 +108,11 @@ bool Ladder::reaches_between(unsigned lane, std::uint32_t occluder, std::size_t 
   const auto is_separate = [&](std::span<const Vec3> points, const TurnedBox* around) {
     return tangents_.separate({points, around}, job_.contact, job_.a.tolerance);
   };
-  const std::span<const Vec3> points = occluders.points_of(occluder);
-  if (points.empty()) {
-    const float(&box)[8] = occluders.boxes[occluder].face;
-    return !is_separate(corners_of_box({{box[0], box[1], box[2]}, {box[3], box[4], box[5]}}).all(), nullptr);
+  if (occluders.points_of(occluder).empty()) {
+    PatchCorners of_box;
+    return !is_separate(points_or_corners(occluder, of_box), nullptr);
   }
+  const std::span<const Vec3> points = occluders.points_of(occluder);
   const std::size_t parts = occluders.parts_of(occluder);
   if (parts == 0) return !is_separate(points, &job_.turned_occluders[occluder]);
   // Most triangles have both patches on one side: that is quick to see.
@@ -136,19 +136,20 @@ std::uint64_t Ladder::reach_in_lanes(const Side& rows, unsigned row, const Side&
                                      Selection& candidates) {
   const OccluderData& occluders = job_.occluders;
   points_between_.clear();
+  box_corners_.resize(std::max(box_corners_.size(), candidates.count));
   std::size_t part = 0;
   for (std::size_t i = 0; i != candidates.count; ++i) {
     const std::uint32_t occluder = candidates.list[i];
     const std::uint64_t asked = candidates.kept[i] & ~sure_lanes_[i] & lanes;
     const auto number = job_.wants_candidates ? static_cast<std::uint32_t>(i) : 0;
     const std::size_t parts = occluders.parts_of(occluder);
-    const std::span<const Vec3> points = occluders.points_of(occluder);
     for (std::size_t p = 0; p != parts; ++p) {
       const std::array<Vec3, 3>& triangle = occluders.part_vertices[occluders.first_part[occluder] + p];
       const std::uint64_t asked_of_part = asked & part_lanes_[part + p];
       if (asked_of_part != 0) points_between_.push_back({triangle.data(), 3, number, true, asked_of_part, 0, 0});
     }
-    if (parts == 0 && asked != 0 && !points.empty() && points.size() <= most_points_in_lanes) {
+    if (parts == 0 && asked != 0 && occluders.points_of(occluder).size() <= most_points_in_lanes) {
+      const std::span<const Vec3> points = points_or_corners(occluder, box_corners_[i]);
       points_between_.push_back({points.data(), static_cast<std::uint32_t>(points.size()), number, false, asked, 0, 0});
     }
     part += parts;
@@ -175,7 +176,6 @@ std::uint64_t Ladder::reach_in_lanes(const Side& rows, unsigned row, const Side&
     const std::uint32_t occluder = candidates.list[i];
     const std::uint64_t asked = candidates.kept[i] & ~sure_lanes_[i] & lanes;
     const std::size_t parts = occluders.parts_of(occluder);
-    const std::span<const Vec3> points = occluders.points_of(occluder);
     std::uint64_t left = 0;
     std::uint64_t sure = 0;
     for (std::size_t p = 0; p != parts; ++p) {
@@ -187,7 +187,7 @@ std::uint64_t Ladder::reach_in_lanes(const Side& rows, unsigned row, const Side&
     }
     if (parts == 0 && asked != 0) {
       left = asked;
-      if (!points.empty() && points.size() <= most_points_in_lanes) {
+      if (occluders.points_of(occluder).size() <= most_points_in_lanes) {
         left &= ~points_between_[next].separate;
         sure |= points_between_[next++].reaching;
       }

@@ -157,8 +157,7 @@ bool Ladder::needs_segments(const Side& rows, const Side& columns, const Selecti
   }
   const std::span<const std::uint32_t> list(candidates.list.data(), candidates.count);
   return std::any_of(list.begin(), list.end(), [&](std::uint32_t occluder) {
-    const std::size_t points = job_.occluders.points_of(occluder).size();
-    return job_.occluders.parts_of(occluder) == 0 && (points == 0 || points > most_points_in_lanes);
+    return job_.occluders.parts_of(occluder) == 0 && job_.occluders.points_of(occluder).size() > most_points_in_lanes;
   });
 }
 
