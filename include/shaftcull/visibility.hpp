@@ -24,11 +24,13 @@
 ///
 /// A patch of a turned wall, whose corners are rounded, may lie a little behind the wall. So a polygon hides no patch
 /// that lies in its plane, up to VisibilityOptions::tolerance. A hull hides two patches only if, for each of its faces,
-/// one of the two lies on or behind the plane of the face, and not all of it in the plane, up to the tolerance.
+/// one of the two lies exactly on or behind the plane of the face, and a corner of it is behind by more than the
+/// tolerance.
 ///
 /// Answers are exact for the floats given: these definitions alone determine the undecided pairs and their candidates.
 /// A pair that faces away or is occluded is never reported as `clear`. A pair that both faces away and is occluded gets
-/// either answer, the same on every instruction set and for any number of threads.
+/// either answer, the same on every instruction set and for any number of threads. It may get the other one if the two
+/// sets are exchanged.
 ///
 /// An occluder reaches into the shaft if cull() with open contact (Contact in compiled.hpp) keeps the box around it,
 /// and, with either contact, if neither plane has all corners of the occluder on it or behind it. The corners of a box,

@@ -99,7 +99,6 @@ PatchOutlines outlines_of(std::span<const MeshTriangle> triangles, std::span<con
     return is_of_rectangle[patches[i].triangle] ? flat_box(boxes[i]) : std::nullopt;
   };
   PatchOutlines outlines;
-  bool are_boxes = true;
   for (std::size_t i = 0; i != patches.size(); ++i) {
     outlines.first.push_back(outlines.corners.size());
     if (const std::optional<FlatBox> flat = box_of(i)) {
@@ -108,14 +107,14 @@ PatchOutlines outlines_of(std::span<const MeshTriangle> triangles, std::span<con
       outlines.corners.insert(outlines.corners.end(), corners.begin(), corners.end());
       continue;
     }
-    are_boxes = false;
+    outlines.are_boxes = false;
     for (const Point3& corner : patches[i].corner) {
       outlines.corners.push_back(
           {static_cast<float>(corner[0]), static_cast<float>(corner[1]), static_cast<float>(corner[2])});
     }
   }
   outlines.first.push_back(outlines.corners.size());
-  return are_boxes ? PatchOutlines{} : outlines;
+  return outlines;
 }
 
 }  // namespace shaftcull::cli

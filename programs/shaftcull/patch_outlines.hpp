@@ -18,6 +18,7 @@ namespace shaftcull::cli {
 struct PatchOutlines {
   std::vector<Vec3> corners;
   std::vector<std::size_t> first;  ///< where those of each patch begin, then where the last ones end
+  bool are_boxes = true;           ///< whether each is the box around it
 
   [[nodiscard]] bool empty() const noexcept { return corners.empty(); }
   /// Some of them as a set.
@@ -26,7 +27,7 @@ struct PatchOutlines {
 
 /// The outlines of patches, each with the box around it: three corners, rounded to floats. A patch of a rectangle
 /// across an axis has the four corners of the box around it, which lies within the rectangle: such patches are compared
-/// much faster. None if all patches are such.
+/// much faster.
 [[nodiscard]] PatchOutlines outlines_of(std::span<const MeshTriangle> triangles, std::span<const MeshPatch> patches,
                                         std::span<const Box> boxes);
 

@@ -90,7 +90,7 @@ std::string text_of(const SeesReport& report) {
   const auto count = [](std::size_t n, const char* noun) {
     return fmt::format("{} {}{}", grouped(n), noun, n == 1 ? "" : "s");
   };
-  std::string text = fmt::format("{}: {}, {}, {} of at most {:.4g}, {}, {} of them solid\n", printable(report.source),
+  std::string text = fmt::format("{}: {}, {}, {} of at most {:.4g}, {}, {} named as solid\n", printable(report.source),
                                  count(report.objects, "object"), count(report.triangles, "triangle"),
                                  grouped(report.patches) + " patches", report.patch_size,
                                  count(report.occluders, "occluder"), grouped(report.solids.named));

@@ -38,8 +38,9 @@ std::vector<bool> objects_of(const MeshScene& mesh, std::span<const std::string>
       found = true;
     }
     if (found) continue;
-    throw InvalidArgument(fmt::format("--solid {}: {} has no object of that name; its object{} {}", name, source,
-                                      mesh.names.size() == 1 ? " is" : "s are", closest_names(name, mesh.names)));
+    throw InvalidArgument(fmt::format("--solid '{}': there is no object of that name in {}; its object{} {}", name,
+                                      source, mesh.names.size() == 1 ? " is" : "s are",
+                                      closest_names(name, mesh.names)));
   }
   return chosen;
 }
@@ -269,7 +270,11 @@ SeesScene make_sees_scene(MeshScene mesh, const SeesChoice& choice, const std::s
     if (!choice.two_sided) scene.planes.push_back(plane_of(scene.mesh.triangles[patch.triangle]));
   }
   scene.outlines = outlines_of(scene.mesh.triangles, scene.patches, scene.boxes);
-  if (!scene.outlines.empty()) scene.tolerance = rounding_of_planes(scene.boxes, narrowest_slanted(scene));
+  if (!scene.outlines.are_boxes) {
+    scene.tolerance = rounding_of_planes(scene.boxes, narrowest_slanted(scene));
+  } else if (!choice.two_sided) {
+    scene.outlines = {};  // boxes with planes are the same, and compared faster
+  }
   OccluderMaker(scene).make(objects_of(scene.mesh, choice.solid, source), choice);
   return scene;
 }

@@ -41,7 +41,7 @@ struct SeesScene {
   std::vector<MeshPatch> patches;
   std::vector<Box> boxes;     ///< one for each patch
   std::vector<Plane> planes;  ///< likewise; empty if patches are two-sided
-  PatchOutlines outlines;     ///< none if all patches are boxes
+  PatchOutlines outlines;     ///< none if all patches are boxes that are seen from one side
   float tolerance;            ///< of outlines, as VisibilityOptions has it
   Occluders occluders;
   /// Of each occluder, as positions in mesh.triangles.

@@ -85,7 +85,7 @@ def refused():
         "seen.txt: what kind of file?": ["--out", "seen.txt"],
         "a CSV file has no candidates": ["--out", "seen.csv", "--candidates"],
         "none/seen.svg: cannot be written: No such file": ["--out", "seen.npz", "--svg", "none/seen.svg"],
-        "--solid none: 4 rooms has no object of that name": ["--solid", "none"],
+        "--solid 'none': there is no object of that name in 4 rooms": ["--solid", "none"],
     }
     for message, more in refusals.items():
         done = sees(3, *more)

@@ -274,14 +274,14 @@ TEST(CliSees, TooManyPatchesAreRefused) {
 
 TEST(CliSees, ObjectsThatAreNotThereAreNamed) {
   EXPECT_THAT(refusal_of({"sees", "--rooms", "1", "--solid", "walls"}),
-              AllOf(HasSubstr("--solid walls: 1 room has no object of that name"), HasSubstr("'wall 1'")));
+              AllOf(HasSubstr("--solid 'walls': there is no object of that name in 1 room"), HasSubstr("'wall 1'")));
   static_cast<void>(refusal_of({"sees", "--rooms", "1", "--solid", "wall*", "door*"}));
 }
 
 TEST(CliSees, ObjectsThatCannotBeSolidAreSkipped) {
   const std::vector<std::string> room{"sees", "--rooms", "1", "--patches", "1.5", "--solid"};
   EXPECT_THAT(output_of(with(room, {"floor", "wall 1"})),
-              AllOf(HasSubstr("1 of them solid\n"),
+              AllOf(HasSubstr("1 named as solid\n"),
                     HasSubstr("--solid: skipped 1 object that cannot be solid; the first is 'floor': it is not "
                               "closed: an edge has one triangle, or more than two\n")));
   const Json skipped = Json::parse(output_of(with(room, {"floor", "wall 1", "--format", "json"})));
@@ -292,7 +292,7 @@ TEST(CliSees, ObjectsThatCannotBeSolidAreSkipped) {
 TEST(CliSees, SolidsHaveAnyNumberOfCorners) {
   const std::vector<std::string> room{"sees", "--rooms", "1", "--patches", "1.5", "--no-solids"};
   const std::string ball = output_of(with(room, {"--solid", "ball 1"}));
-  EXPECT_THAT(ball, AllOf(HasSubstr("1 of them solid\n"), testing::Not(HasSubstr("skipped"))));
+  EXPECT_THAT(ball, AllOf(HasSubstr("1 named as solid\n"), testing::Not(HasSubstr("skipped"))));
 }
 
 TEST(CliSees, SolidsAreFoundUnlessTheyAreNotWanted) {
