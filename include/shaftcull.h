@@ -238,6 +238,13 @@ SHAFTCULL_API shaftcull_status shaftcull_merged_boxes(const shaftcull_box* boxes
 /// 0.5 ms for 32; allocates.
 SHAFTCULL_API shaftcull_status shaftcull_inscribed_box(const float* corners, uint64_t count, shaftcull_box* box);
 
+/// The view factor from one flat convex polygon to another with nothing between them, from 0 to 1 (view_factors.hpp).
+/// Each has 3 to 8 corners of 3 floats, counterclockwise as seen from the front; what is behind the other's plane does
+/// not count. The error is below 1e-8 of the factor, or 1e-11. Refuses another number of corners, one that is not
+/// finite, and a polygon `from` without area. About 10 µs, 50 µs where polygons share an edge; no allocation.
+SHAFTCULL_API shaftcull_status shaftcull_view_factor(const float* from, uint64_t from_count, const float* to,
+                                                     uint64_t to_count, double* factor);
+
 /* ---- Convex hulls ---- */
 
 /// The convex hull of up to 32 points and directions: view frusta, casters of shadows, volumes between polygons or

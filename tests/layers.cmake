@@ -8,7 +8,7 @@
 # Regular expressions of whole names of entries.
 set(quick_tests
   # The library, against exact arithmetic and answers on record.
-  cull[.].* hull[.].* visibility[.].* solids formation interface streams isa wide
+  cull[.].* hull[.].* visibility[.].* view_factors solids formation interface streams isa wide
   "(same_bits|simd)[.].*"
   "(many|many_tree|options|tree|tree_building|allocation)[.](scalar|${shaftcull_best_set})" calls[.]${shaftcull_best_set}
   # Its bindings and what its pages show.

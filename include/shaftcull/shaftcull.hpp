@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// All public headers except paper.hpp: shafts and hulls; views, streams and trees of boxes, spheres and triangles;
-/// queries; visibility of patches.
+/// queries; visibility and view factors of patches.
 #pragma once
 
 #include "shaftcull/bounds.hpp"
@@ -24,5 +24,6 @@
 #include "shaftcull/tree_image.hpp"
 #include "shaftcull/triangles.hpp"
 #include "shaftcull/version.hpp"
+#include "shaftcull/view_factors.hpp"
 #include "shaftcull/visibility.hpp"
 #include "shaftcull/volumes.hpp"

@@ -90,6 +90,11 @@ inline void add_visibility_calls(CallTable& table) {
     words.push_back(count_visibility(all->patches, occluders).occluded);
   });
   table.add("inscribed_box", false, [all](AnswerWords& words) { note(words, inscribed_box(all->hull)); });
+  table.add("view_factor", false, [all](AnswerWords& words) {
+    const std::span<const Vec3> corners(all->hull);
+    note(words, view_factor(corners.subspan(0, 3), corners.subspan(3, 3)));
+    note(words, view_factor(corners.subspan(3, 3), corners.subspan(0, 3)));
+  });
   table.add("count_visibility", false, [all](AnswerWords& words) {
     const SightCounts counts = count_visibility(all->patches, all->occluders);
     for (const std::uint64_t n : {counts.undecided, counts.clear, counts.occluded, counts.facing_away})
