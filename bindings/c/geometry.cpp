@@ -67,4 +67,12 @@ shaftcull_status shaftcull_inscribed_box(const float* corners, uint64_t count, s
   });
 }
 
+shaftcull_status shaftcull_view_factor(const float* from, uint64_t from_count, const float* to, uint64_t to_count,
+                                       double* factor) {
+  return guarded([&] {
+    double& out = given(factor, "factor");
+    out = shaftcull::view_factor(as_vectors(from, from_count, "from"), as_vectors(to, to_count, "to"));
+  });
+}
+
 }  // extern "C"

@@ -113,6 +113,16 @@ static void values(void) {
   REFUSED(shaftcull_inscribed_box(corners, 3, &box), "4");
   REFUSED(shaftcull_inscribed_box(NULL, 8, &box), "corners is NULL");
   REFUSED(shaftcull_inscribed_box(corners, 8, NULL), "box is NULL");
+
+  static const float floor_of_cube[12] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+  static const float ceiling[12] = {0, 0, 1, 0, 1, 1, 1, 1, 1, 1, 0, 1};
+  double factor = 0;
+  OK(shaftcull_view_factor(floor_of_cube, 4, ceiling, 4, &factor));
+  CHECK(factor > 0.19982 && factor < 0.19983);
+  REFUSED(shaftcull_view_factor(floor_of_cube, 2, ceiling, 4, &factor), "2 corners");
+  REFUSED(shaftcull_view_factor(NULL, 4, ceiling, 4, &factor), "from is NULL");
+  REFUSED(shaftcull_view_factor(floor_of_cube, 4, NULL, 4, &factor), "to is NULL");
+  REFUSED(shaftcull_view_factor(floor_of_cube, 4, ceiling, 4, NULL), "factor is NULL");
 }
 
 static void hulls(void) {

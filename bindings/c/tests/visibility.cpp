@@ -15,6 +15,7 @@
 #include "oracle/random.hpp"
 #include "shaftcull.h"
 #include "shaftcull/solids.hpp"
+#include "shaftcull/view_factors.hpp"
 
 namespace shaftcull {
 namespace {
@@ -356,6 +357,10 @@ TEST(CVisibility, SolidsAreMergedAndInscribedAsInCpp) {
   shaftcull_box box;
   ok(shaftcull_inscribed_box(floats.data(), 12, &box));
   EXPECT_EQ(std::bit_cast<Box>(box), inscribed_box(corners));
+  const std::span<const Vec3> all(corners);
+  double factor = -1;
+  ok(shaftcull_view_factor(floats.data(), 3, floats.data() + 9, 3, &factor));
+  EXPECT_EQ(factor, view_factor(all.subspan(0, 3), all.subspan(3, 3)));
 }
 
 }  // namespace

@@ -44,6 +44,7 @@ from shaftcull._shaftcull import (
     merged_boxes,
     points,
     select_isa,
+    view_factor,
     view_planes,
     visibility,
 )
@@ -79,6 +80,7 @@ __all__ = [
     "merged_boxes",
     "points",
     "select_isa",
+    "view_factor",
     "view_planes",
     "visibility",
 ]

@@ -387,6 +387,7 @@ def test_patches_and_occluders_of_float64_are_contained():
         (lambda x: sc.view_planes(x(4)), "matrix"),
         (lambda x: sc.merged_boxes(x(6)), "boxes"),
         (lambda x: sc.inscribed_box(x(3)), "corners"),
+        (lambda x: sc.view_factor(x(3), [[0] * 3] * 3), "from_corners"),
     ],
 )
 def test_what_cannot_be_rounded_outwards_is_refused(call, name):

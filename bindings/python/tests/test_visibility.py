@@ -285,6 +285,19 @@ def test_solid_boxes_are_merged_and_inscribed():
     np.testing.assert_array_equal(sc.inscribed_box(corners), [0, 0, 0, 4, 4, 4])
 
 
+def test_view_factors_of_a_cube():
+    floor = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], dtype=np.float32)
+    ceiling = floor[::-1] + np.float32([0, 0, 1])
+    wall = np.array([[0, 0, 0], [0, 1, 0], [0, 1, 1], [0, 0, 1]], dtype=np.float32)
+    assert sc.view_factor(floor, ceiling) == pytest.approx(0.199824895698, abs=1e-12)
+    assert sc.view_factor(floor, wall) == pytest.approx(0.200043776075, abs=1e-12)
+    assert sc.view_factor(floor, floor) == 0
+    with pytest.raises(ValueError, match="2 corners"):
+        sc.view_factor(floor[:2], wall)
+    with pytest.raises(ValueError, match="no area"):
+        sc.view_factor(floor[[0, 0, 1]], wall)
+
+
 def crowd(count=3000):
     """So many patches in so much clutter that a call takes long."""
     random = np.random.default_rng(4)

@@ -106,6 +106,10 @@ export class Module {
     return this.view.getUint32(pointer, true);
   }
 
+  double(pointer) {
+    return this.view.getFloat64(pointer, true);
+  }
+
   /** The fields of a struct, by their names in C. */
   read(struct, pointer) {
     const {fields} = this.structs[struct];

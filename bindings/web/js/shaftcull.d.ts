@@ -84,6 +84,11 @@ export interface Shaftcull {
   /** A large box inside the convex hull of 4 to 32 points. No coordinate is rounded outwards. */
   inscribedBox(corners: Floats): Float32Array;
   /**
+   * The view factor from one flat convex polygon to another with nothing between them, from 0 to 1. Each has 3 to 8 corners
+   * of 3 floats, counterclockwise as seen from the front; what is behind the other's plane does not count.
+   */
+  viewFactor(from: Floats, to: Floats): number;
+  /**
    * Solid boxes joined to larger ones, which cover the same space: pieces of a wall that share a face become one box.
    * Boxes of the result may overlap.
    */

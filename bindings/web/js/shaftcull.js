@@ -71,6 +71,10 @@ class Shaftcull {
     return boxes.inscribedBox(this.#module, corners);
   }
 
+  viewFactor(from, to) {
+    return boxes.viewFactor(this.#module, from, to);
+  }
+
   mergedBoxes(solids) {
     return boxes.mergedBoxes(this.#module, solids);
   }

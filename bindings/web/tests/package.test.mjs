@@ -828,6 +828,9 @@ describe('boxes and planes', () => {
     assert.deepEqual([...shaftcull.inflated(lamp, 0.5)], [-0.5, 8.5, -0.5, 1.5, 10.5, 1.5]);
     const corners = upTo(8).flatMap((c) => [c & 1, c >> 1 & 1, c >> 2]);
     assert.deepEqual([...shaftcull.inscribedBox(corners)], [0, 0, 0, 1, 1, 1]);
+    const [floor, ceiling] = [[0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0], [0, 0, 1, 0, 1, 1, 1, 1, 1, 1, 0, 1]];
+    assert(Math.abs(shaftcull.viewFactor(floor, ceiling) - 0.199824895698) < 1e-11);
+    assert.throws(() => shaftcull.viewFactor(floor, [0, 0, 0]), /1 corner/);
     const small = 2 ** -149;
     assert(shaftcull.translated(lamp, [small, 0, 0])[3] > 1, 'rounded outwards');
     for (const refused of [() => shaftcull.boxAround([NaN, 0, 0]), () => shaftcull.inflated(lamp, -1),
