@@ -6,7 +6,8 @@
 /// within such points; an item of `swept_batch` and `shadow_batch` is a shaft. single/complete makes the joining planes
 /// of a shaft, and single/open_contact changes its contact. single/ask/WHAT asks shafts of the workload about a bound:
 /// a box that is outside, one within the box around the shaft, for which joining planes are there or pending, or a
-/// triangle. single/entry_time/WHAT is an item a bound, all of them kept.
+/// triangle. single/view_factor/WHAT is that of two squares: opposite to each other at the distance of a side, far
+/// away, or with a common edge. single/entry_time/WHAT is an item a bound, all of them kept.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -25,12 +26,14 @@
 #include "shaftcull/hull.hpp"
 #include "shaftcull/isa.hpp"
 #include "shaftcull/solids.hpp"
+#include "shaftcull/view_factors.hpp"
 #include "shaftcull/volumes.hpp"
 
 namespace shaftcull::bench {
 namespace {
 
 using Matrix = std::array<float, 16>;
+using Square = std::array<Vec3, 4>;
 
 /// What calls take in turn: enough that no branch predictor knows it by heart, and little enough for an L1 cache.
 constexpr std::size_t turns = 64;
@@ -83,6 +86,9 @@ Matrix view_matrix(float angle) {
           cosine,
           0};
 }
+
+/// A square that faces down.
+Square ceiling(float height) { return {{{0, 0, height}, {0, 1, height}, {1, 1, height}, {1, 0, height}}}; }
 
 Vec3 on_sphere(Random& random) {
   const float height = random.uniform(-1, 1);
@@ -178,6 +184,13 @@ void declare_single(Suite& suite, const Workload& workload) {
       return inscribed_box(std::span(of.points).subspan(32 * i, count));
     });
   }
+  const auto add_view_factor = [&](const char* name, const Square& other) {
+    constexpr Square floor{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}};
+    add(std::string("view_factor/") + name, 1, [=](const Single&, std::size_t) { return view_factor(floor, other); });
+  };
+  add_view_factor("opposite", ceiling(1));
+  add_view_factor("edge", {{{0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}}});
+  add_view_factor("far", ceiling(64));
   add("form/swept_batch", turns, [](Single& of, std::size_t) {
     swept_batch(of.bodies.view(), of.ways, of.shafts);
     return of.shafts.front().contact();
