@@ -29,12 +29,14 @@ std::vector<Corners> room(const Vec3& size, std::size_t n) {
     const unsigned v = (axis + 2) % 3;
     for (const bool is_far : {false, true}) {
       for (std::size_t i = 0; i != n * n; ++i) {
+        const std::size_t column = i % n;
+        const std::size_t row = i / n;
         Corners patch;
         for (const auto& [p, q] : {std::pair<std::size_t, std::size_t>{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
           Vec3 corner{};
           corner[axis] = is_far ? size[axis] : 0;
-          corner[u] = size[u] * static_cast<float>(i % n + p) / static_cast<float>(n);
-          corner[v] = size[v] * static_cast<float>(i / n + q) / static_cast<float>(n);
+          corner[u] = size[u] * static_cast<float>(column + p) / static_cast<float>(n);
+          corner[v] = size[v] * static_cast<float>(row + q) / static_cast<float>(n);
           patch.push_back(corner);
         }
         if (is_far) std::reverse(patch.begin(), patch.end());
