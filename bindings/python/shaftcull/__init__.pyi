@@ -1076,8 +1076,8 @@ def inscribed_box(corners: _Floats) -> npt.NDArray[np.float32]:
     corners: float32 (k, 3), 4 to 32 points. ValueError for another number of them, or one that is not finite.
     """
 def view_factor(from_corners: _Floats, to_corners: _Floats) -> float:
-    """The view factor from one flat convex polygon to another with nothing between them, from 0 to 1. What is behind the
-    other's plane does not count. The error is below 1e-8 of it, or 1e-11.
+    """The view factor from one flat convex polygon to another with nothing between them, from 0 to 1. What is
+    behind the other's plane does not count. The error is below 1e-8 of it, or 1e-11.
 
     from_corners, to_corners: float32 (k, 3), 3 to 8 corners, counterclockwise as seen from the front. ValueError for
         another number of them, for one that is not finite, and if the first polygon has no area.

@@ -68,8 +68,8 @@ corners: float32 (k, 3), 4 to 32 points. ValueError for another number of them, 
                            vectors_in(to_corners, "to_corners").vectors);
       },
       arg("from_corners"), arg("to_corners"), R"(
-The view factor from one flat convex polygon to another with nothing between them, from 0 to 1. What is behind the
-other's plane does not count. The error is below 1e-8 of it, or 1e-11.
+The view factor from one flat convex polygon to another with nothing between them, from 0 to 1. What is
+behind the other's plane does not count. The error is below 1e-8 of it, or 1e-11.
 
 from_corners, to_corners: float32 (k, 3), 3 to 8 corners, counterclockwise as seen from the front. ValueError for
     another number of them, for one that is not finite, and if the first polygon has no area.)");

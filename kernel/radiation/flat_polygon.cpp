@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "view_factors/polygon.hpp"
+#include "radiation/flat_polygon.hpp"
 
 #include <algorithm>
 

@@ -6,13 +6,13 @@
 #include <cstddef>
 #include <string>
 
+#include "radiation/exchange.hpp"
+#include "radiation/flat_polygon.hpp"
 #include "shaftcull/error.hpp"
 #include "support/arguments.hpp"
 #include "support/fail.hpp"
 #include "support/float_environment.hpp"
 #include "support/text.hpp"
-#include "view_factors/exchange.hpp"
-#include "view_factors/polygon.hpp"
 
 namespace shaftcull {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "view_factors/exchange.hpp"
+#include "radiation/exchange.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 /// How much two polygons exchange by radiation (docs/view-factors.md).
 #pragma once
 
-#include "view_factors/polygon.hpp"
+#include "radiation/flat_polygon.hpp"
 
 namespace shaftcull::kernel {
 
