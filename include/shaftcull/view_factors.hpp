@@ -21,7 +21,7 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// every machine, whatever the instruction set. Both factors of a pair are one number by the area of either polygon, so
 /// A₁ F₁₂ = A₂ F₂₁ but for one rounding.
 ///
-/// About 10 µs for two squares, and 50 µs if they share an edge, since the integrand is not smooth there; 4 µs for
+/// About 15 µs for two squares, and 40 µs if they share an edge, since the integrand is not smooth there; 3 µs for
 /// distances of more than 40 radii. Allocates nothing. Throws InvalidArgument for another number of corners, for one
 /// that is not finite, and if `from` has no area.
 ///
