@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// Functions that make boxes: of points, of other solids.
 #include "shaftcull/solids.hpp"
-#include "shaftcull/view_factors.hpp"
 
 #include <vector>
 
@@ -61,18 +60,6 @@ boxes: float32 (n, 6), or as those of BoxStream. BadBound, with the index, for o
 A large box inside the convex hull of points: float32 (6,). It lies in the hull exactly.
 
 corners: float32 (k, 3), 4 to 32 points. ValueError for another number of them, or one that is not finite.)");
-  module.def(
-      "view_factor",
-      [](const py::object& from_corners, const py::object& to_corners) {
-        return view_factor(vectors_in(from_corners, "from_corners").vectors,
-                           vectors_in(to_corners, "to_corners").vectors);
-      },
-      arg("from_corners"), arg("to_corners"), R"(
-The view factor from one flat convex polygon to another with nothing between them, from 0 to 1. What is
-behind the other's plane does not count. The error is below 1e-8 of it, or 1e-11.
-
-from_corners, to_corners: float32 (k, 3), 3 to 8 corners, counterclockwise as seen from the front. ValueError for
-    another number of them, for one that is not finite, and if the first polygon has no area.)");
 }
 
 }  // namespace shaftcull::python

@@ -27,16 +27,6 @@ export function inscribedBox(module, corners) {
   return boxFrom(module, 'shaftcull_inscribed_box', floats, BigInt(floats.length / 3));
 }
 
-export function viewFactor(module, from, to) {
-  const polygons = [asFloats(from, 3, 'from'), asFloats(to, 3, 'to')];
-  return module.scratch((scratch) => {
-    const factor = scratch.zeros(8);
-    const given = polygons.flatMap((floats) => [scratch.copy(floats), BigInt(floats.length / 3)]);
-    module.call('shaftcull_view_factor', ...given, factor);
-    return module.double(factor);
-  });
-}
-
 export function mergedBoxes(module, boxes) {
   const floats = asFloats(boxes, 6, 'boxes');
   return module.scratch((scratch) => {

@@ -5,6 +5,7 @@ import * as boxes from './boxes.js';
 import * as hashes from './hashes.js';
 import {Module} from './module.js';
 import * as shafts from './shafts.js';
+import {viewFactor} from './view_factors.js';
 import {countVisibility, visibility} from './visibility.js';
 
 export {roundOutwards} from './arguments.js';
@@ -72,7 +73,7 @@ class Shaftcull {
   }
 
   viewFactor(from, to) {
-    return boxes.viewFactor(this.#module, from, to);
+    return viewFactor(this.#module, from, to);
   }
 
   mergedBoxes(solids) {
