@@ -12,8 +12,7 @@
 /// sees/SCENE/occluders prepares what may hide something, as the peer's tree is prepared; an item is an occluder. It is
 /// in no other row. sees/SCENE/all counts answers for all pairs of a scene, sets formed anew; `boxes` does so with
 /// turned solids that hide as the boxes inside them alone, `finer` for four times the patches on the same surfaces.
-/// sees/SCENE/all/deliver has them delivered, with candidates, to a callback
-/// that reads them all. An item is a pair.
+/// sees/SCENE/all/deliver has them delivered, with candidates, to a callback that reads them all. An item is a pair.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -116,6 +115,7 @@ void declare_delivery(Suite& suite, const std::shared_ptr<SeesScene>& sees, cons
       options);
 }
 
+/// Which patches are asked about, and what hides them.
 enum class Asked : unsigned char { as_it_is, without_hulls, finer };
 
 void declare_all(Suite& suite, const std::shared_ptr<SeesScene>& sees, double pairs_per_second) {

@@ -24,9 +24,11 @@ namespace shaftcull::bench {
 /// The instruction set that SHAFTCULL_ISA names, or the best one that the machine runs.
 Isa measured_isa();
 
-/// Everything of a scene that may hide something: what is solid as such, meshes object by object. Ready for use: the
-/// first call finds which solids are one. Solids that are turned hide as hulls, or as the boxes inside them alone.
+/// What solids that are turned hide by: their hulls, or the boxes inside them alone.
 enum class TurnedSolids : unsigned char { hulls, boxes_inside };
+
+/// Everything of a scene that may hide something: what is solid as such, meshes object by object. Ready for use: the
+/// first call finds which solids are one.
 Occluders occluders_of(const PatchScene& scene, TurnedSolids turned = TurnedSolids::hulls);
 
 /// "4.8 % clear, 86.0 % occluded, …"
