@@ -22,8 +22,8 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// A₁ F₁₂ = A₂ F₂₁ but for one rounding.
 ///
 /// About 15 µs for two squares, and 40 µs if they share an edge, since the integrand is not smooth there; 3 µs for
-/// distances of more than 40 radii. Allocates nothing. Throws InvalidArgument for another number of corners, for one
-/// that is not finite, and if `from` has no area.
+/// distances of more than 40 radii. Allocates nothing, and is safe from many threads. Coordinates are in any unit.
+/// Throws InvalidArgument for another number of corners, for one that is not finite, and if `from` has no area.
 ///
 /// The method: E. M. Sparrow, "A New and Simpler Formulation for Radiative Angle Factors", 1963.
 [[nodiscard]] SHAFTCULL_EXPORT double view_factor(std::span<const Vec3> from, std::span<const Vec3> to);

@@ -74,7 +74,7 @@ class LogarithmOfDistance {
   [[nodiscard]] double over(double first, double last) const noexcept {
     const double half = (last - first) / 2;
     const double middle = first + half;
-    const double relative = distance_of_roughness(middle, half) / half;
+    const double relative = distance_of_singularities(middle, half) / half;
     if (relative < 2 && half > shortest_) return over(first, middle) + over(middle, last);
     const std::span<const Node> nodes = relative < 4    ? std::span<const Node>(eight)
                                         : relative < 16 ? std::span<const Node>(five)
@@ -86,7 +86,7 @@ class LogarithmOfDistance {
 
   /// How far the integrand's singularities are in the complex plane: where the distance from an end of the inner edge
   /// is 0, and, beside the edge, that from its line.
-  [[nodiscard]] double distance_of_roughness(double middle, double half) const noexcept {
+  [[nodiscard]] double distance_of_singularities(double middle, double half) const noexcept {
     const Point offset = outer_.at(middle) - inner_.from;
     const double beside = dot(offset, inner_.along);
     const Point from_end = outer_.at(middle) - inner_.at(inner_.length);
