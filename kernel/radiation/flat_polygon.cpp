@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "support/exact_floats.hpp"
+
 namespace shaftcull::kernel {
 
 Polygon::Polygon(std::span<const Vec3> corners, const Point& origin, double scale) noexcept : count_(corners.size()) {

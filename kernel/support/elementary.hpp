@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "support/exact_floats.hpp"
+
 namespace shaftcull::kernel {
 
 /// The natural logarithm of a positive number that is finite and no denormal, off by a few units in the last place.
