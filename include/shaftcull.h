@@ -972,10 +972,7 @@ SHAFTCULL_API shaftcull_status shaftcull_visibility_result_describe(const shaftc
                                                                     shaftcull_sight_batch* batch,
                                                                     shaftcull_sight_counts* counts);
 
-/* ---- Threads and instruction sets ---- */
-
-/// How many threads a query about several shafts would use from here; 1 in a build without oneTBB. Never fails.
-SHAFTCULL_API uint32_t shaftcull_concurrency(void);
+/* ---- Instruction sets ---- */
 
 /// The name of an instruction set for which this build has kernels and that this machine can run, for example "avx2".
 /// They are numbered from 0 on, slowest first; beyond the last one the name is NULL. Valid for ever. O(1); allocates.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Instruction sets and threads.
+/// Instruction sets.
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -28,8 +28,6 @@ constinit thread_local Choice last_choice = {"", ""};
 }  // namespace
 
 extern "C" {
-
-uint32_t shaftcull_concurrency() { return static_cast<uint32_t>(shaftcull::concurrency()); }
 
 shaftcull_status shaftcull_isa_name(uint64_t position, const char** name) {
   return guarded([&] {

@@ -127,7 +127,7 @@ describe('loading', () => {
     const module = await WebAssembly.compile(await readFile(join(folder, 'shaftcull.wasm')));
     const names = WebAssembly.Module.exports(module).map(({name}) => name).filter((name) => /^shaftcull_/.test(name));
     assert.deepEqual(names.filter((name) => !new RegExp(`\\b${name}\\b`).test(text)).sort(), [
-      'shaftcull_concurrency', 'shaftcull_error_message', 'shaftcull_error_position', 'shaftcull_isa_asked',
+      'shaftcull_error_message', 'shaftcull_error_position', 'shaftcull_isa_asked',
       'shaftcull_set_error_handler', 'shaftcull_shafts_count', 'shaftcull_sight_name', 'shaftcull_view_create',
       'shaftcull_view_set', 'shaftcull_visibility_bits',
     ]);
