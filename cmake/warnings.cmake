@@ -2,7 +2,7 @@
 # Turns on the warnings that all of this project's own code is free of.
 function(shaftcull_warnings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
-  if(SHAFTCULL_JOIN_SOURCES AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  if(SHAFTCULL_JOIN_SOURCES AND (CMAKE_CXX_COMPILER_ID MATCHES "Clang" OR target MATCHES "^test_"))
     target_compile_options(${target} PRIVATE -Wno-shadow)  # of names in another source of the group
   endif()
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)

@@ -26,7 +26,7 @@ using batch::Ranks;
 
 const std::function<void()> nothing = [] {};
 
-batch::Surroundings undisturbed() {
+batch::Surroundings undisturbed_surroundings() {
   return {[](const std::function<void()>& work) { work(); }, [] { return 0; }};
 }
 
@@ -37,7 +37,7 @@ TEST(BatchDealing, EveryPieceIsWorkedOnceAndFinishedInOrder) {
       std::vector<std::atomic<int>> worked(pieces);
       std::vector<std::atomic<int>> finished(pieces);
       RankThreads(size).run([&](Ranks& ranks) {
-        const batch::Surroundings surroundings = undisturbed();
+        const batch::Surroundings surroundings = undisturbed_surroundings();
         Dealing dealing(ranks, surroundings, 1);
         std::vector<std::uint64_t> of_this_rank;
         std::atomic<int> under_way = 0;
@@ -69,7 +69,7 @@ TEST(BatchDealing, EveryPieceIsWorkedOnceAndFinishedInOrder) {
 
 TEST(BatchDealing, APieceIsFinishedDuringTheWorkOfTheNext) {
   const std::unique_ptr<Ranks> alone = batch::one_rank();
-  const batch::Surroundings surroundings = undisturbed();
+  const batch::Surroundings surroundings = undisturbed_surroundings();
   Dealing dealing(*alone, surroundings, 1);
   std::promise<void> next_is_at_work;
   std::promise<void> first_is_finished;
@@ -97,7 +97,7 @@ TEST(BatchDealing, WhatEitherStepThrowsEndsAllRanks) {
     std::atomic<int> others = 0;
     std::atomic<std::uint64_t> begun = 0;
     RankThreads(3).run([&](Ranks& ranks) {
-      const batch::Surroundings surroundings = undisturbed();
+      const batch::Surroundings surroundings = undisturbed_surroundings();
       Dealing dealing(ranks, surroundings, 1);
       const auto work = [&](std::uint64_t piece) -> Dealing::Rest {
         ++begun;
@@ -149,7 +149,7 @@ TEST(BatchDealing, ASignalEndsThePhaseWhenWhatWasBegunIsFinished) {
 
 TEST(BatchDealing, TheThreadsAreTheSameForAllPieces) {
   const std::unique_ptr<Ranks> alone = batch::one_rank();
-  const batch::Surroundings surroundings = undisturbed();
+  const batch::Surroundings surroundings = undisturbed_surroundings();
   Dealing dealing(*alone, surroundings, 1);
   std::vector<std::thread::id> working;
   std::vector<std::thread::id> finishing;

@@ -92,7 +92,7 @@ constexpr bool is_measurable() {
 TEST(Stack, EveryCallTakesAtMostWhatIsPromised) {
   if (!is_measurable()) GTEST_SKIP() << "not optimised, or with a sanitizer";
   // More than a group of shafts, whole tiles and one that is not, and parts of a tree large enough to be shared.
-  const EveryCall every(EveryCall::shafts(70), 20000);
+  const EveryCall every(EveryCall::shafts(70), 6000);
   std::size_t most = 0;
   std::string which;
   for (const int threads : {1, 3}) {

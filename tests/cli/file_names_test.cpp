@@ -18,8 +18,6 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-const std::vector<std::string> one_room{"sees", "--rooms", "1", "--patches", "1.5", "--solid", "wall*"};
-
 std::vector<std::string> writing(const std::string& path) {
   return with(one_room, {path.ends_with(".svg") ? "--svg" : "--out", path});
 }

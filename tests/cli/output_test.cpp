@@ -28,14 +28,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const std::vector<std::string> one_room{"sees", "--rooms", "1", "--patches", "1.5", "--solid", "wall*"};
-
-std::string bytes_of(const std::string& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
-
 std::vector<std::string> names_in(const ScratchFolder& folder) {
   std::vector<std::string> names;
   for (const auto& file : std::filesystem::directory_iterator(folder.path(""))) {
@@ -46,7 +38,7 @@ std::vector<std::string> names_in(const ScratchFolder& folder) {
 
 std::string option_for(const std::string& path) { return path.ends_with(".svg") ? "--svg" : "--out"; }
 
-std::vector<std::string> writing(const std::string& path) { return with(one_room, {option_for(path), path}); }
+std::vector<std::string> writing_to(const std::string& path) { return with(one_room, {option_for(path), path}); }
 
 std::string link_to(const std::string& target, const std::string& path) {
   std::filesystem::create_symlink(target, path);
@@ -55,8 +47,8 @@ std::string link_to(const std::string& target, const std::string& path) {
 
 std::string picture_of_one_room() {
   const ScratchFolder folder;
-  static_cast<void>(output_of(writing(folder.path("a.svg"))));
-  return bytes_of(folder.path("a.svg"));
+  static_cast<void>(output_of(writing_to(folder.path("a.svg"))));
+  return bytes_of_file(folder.path("a.svg"));
 }
 
 std::filesystem::perms permissions_of(const std::string& path) { return std::filesystem::status(path).permissions(); }
@@ -67,7 +59,7 @@ TEST(CliOutput, ADeviceIsWrittenIntoAndStaysWhatItIs) {
   for (const char* name : {"null.svg", "null.csv", "null.npz", "null"}) {
     const ScratchFolder folder;
     const std::string path = link_to("/dev/null", folder.path(name));
-    static_cast<void>(output_of(writing(path)));
+    static_cast<void>(output_of(writing_to(path)));
     EXPECT_TRUE(std::filesystem::is_character_file(path)) << name;
     EXPECT_THAT(names_in(folder), testing::ElementsAre(name));
   }
@@ -77,7 +69,7 @@ TEST(CliOutput, ADeviceThatIsFullIsAnError) {
   for (const char* name : {"full.svg", "full.csv", "full.npz"}) {
     const ScratchFolder folder;
     const std::string path = link_to("/dev/full", folder.path(name));
-    const Outcome outcome = run_program(writing(path));
+    const Outcome outcome = run_program(writing_to(path));
     EXPECT_EQ(outcome.exit_code, 1) << outcome.error;
     EXPECT_THAT(outcome.error, HasSubstr("shaftcull: " + path + ": cannot be written: No space left on device"));
     EXPECT_TRUE(std::filesystem::is_character_file(path)) << name;
@@ -112,11 +104,11 @@ TEST(CliOutput, APipeGetsWhatAFileGets) {
   for (const char* name : {"pipe.svg", "pipe.csv", "pipe.npz"}) {
     const ScratchFolder folder;
     const std::string file = folder.path(std::string("file") + (name + 4));
-    static_cast<void>(output_of(writing(file)));
+    static_cast<void>(output_of(writing_to(file)));
     const std::string path = folder.path(name);
     ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
-    const std::string bytes = read_from_pipe(path, [&] { static_cast<void>(output_of(writing(path))); });
-    EXPECT_TRUE(bytes == bytes_of(file)) << name;
+    const std::string bytes = read_from_pipe(path, [&] { static_cast<void>(output_of(writing_to(path))); });
+    EXPECT_TRUE(bytes == bytes_of_file(file)) << name;
     EXPECT_TRUE(std::filesystem::is_fifo(path)) << name;
   }
 }
@@ -127,18 +119,18 @@ TEST(CliOutput, ALinkStaysAndTheFileBehindItIsReplaced) {
   const std::string picture = picture_of_one_room();
   const std::string old = elsewhere.write("old.svg", "old");
   const std::string link = link_to(link_to(old, elsewhere.path("link.svg")), folder.path("a.svg"));
-  static_cast<void>(output_of(writing(link)));
-  EXPECT_EQ(bytes_of(old), picture);
+  static_cast<void>(output_of(writing_to(link)));
+  EXPECT_EQ(bytes_of_file(old), picture);
   EXPECT_TRUE(std::filesystem::is_symlink(link));
   EXPECT_TRUE(std::filesystem::is_symlink(elsewhere.path("link.svg")));
 
   const std::string dangling = link_to("none.svg", folder.path("dangling.svg"));
-  static_cast<void>(output_of(writing(dangling)));
-  EXPECT_EQ(bytes_of(folder.path("none.svg")), picture);
+  static_cast<void>(output_of(writing_to(dangling)));
+  EXPECT_EQ(bytes_of_file(folder.path("none.svg")), picture);
   EXPECT_TRUE(std::filesystem::is_symlink(dangling));
 
   const std::string loop = link_to("loop.svg", folder.path("loop.svg"));
-  EXPECT_THAT(refusal_of(writing(loop)), HasSubstr(loop + ": cannot be written: Too many levels of symbolic links"));
+  EXPECT_THAT(refusal_of(writing_to(loop)), HasSubstr(loop + ": cannot be written: Too many levels of symbolic links"));
 }
 
 TEST(CliOutput, FilesOfTheUserBesideItStayAsTheyAre) {
@@ -146,9 +138,9 @@ TEST(CliOutput, FilesOfTheUserBesideItStayAsTheyAre) {
   const std::string other = folder.write("other", "mine");
   const std::string part = folder.write("a.svg.part", "mine, too");
   static_cast<void>(link_to(other, folder.path("b.svg.part")));
-  for (const char* name : {"a.svg", "b.svg"}) static_cast<void>(output_of(writing(folder.path(name))));
-  EXPECT_EQ(bytes_of(other), "mine");
-  EXPECT_EQ(bytes_of(part), "mine, too");
+  for (const char* name : {"a.svg", "b.svg"}) static_cast<void>(output_of(writing_to(folder.path(name))));
+  EXPECT_EQ(bytes_of_file(other), "mine");
+  EXPECT_EQ(bytes_of_file(part), "mine, too");
   EXPECT_TRUE(std::filesystem::is_symlink(folder.path("b.svg.part")));
   EXPECT_THAT(names_in(folder), testing::SizeIs(5));
 }
@@ -158,10 +150,10 @@ TEST(CliOutput, PermissionsAreThoseOfTheFileThatIsReplacedOrTheUsual) {
   const ScratchFolder folder;
   for (const char* name : {"a.svg", "a.csv", "a.npz"}) {
     const std::string path = folder.path(name);
-    EXPECT_EQ(run_program(writing(path), "umask 027;").exit_code, 0);
+    EXPECT_EQ(run_program(writing_to(path), "umask 027;").exit_code, 0);
     EXPECT_EQ(permissions_of(path), perms(0640)) << name;
     std::filesystem::permissions(path, perms(0604));
-    EXPECT_EQ(run_program(writing(path), "umask 077;").exit_code, 0);
+    EXPECT_EQ(run_program(writing_to(path), "umask 077;").exit_code, 0);
     EXPECT_EQ(permissions_of(path), perms(0604)) << name;
   }
 }
@@ -171,18 +163,18 @@ TEST(CliOutput, AFileThatMayNotBeWrittenIsRefused) {
   const ScratchFolder folder;
   const std::string path = folder.write("a.svg", "old");
   std::filesystem::permissions(path, std::filesystem::perms(0444));
-  EXPECT_THAT(refusal_of(writing(path)), HasSubstr(path + ": cannot be written: Permission denied"));
-  EXPECT_EQ(bytes_of(path), "old");
+  EXPECT_THAT(refusal_of(writing_to(path)), HasSubstr(path + ": cannot be written: Permission denied"));
+  EXPECT_EQ(bytes_of_file(path), "old");
 }
 
 TEST(CliOutput, AFailureLeavesTheOldFileAndNothingElse) {
   for (const char* name : {"a.svg", "a.csv", "a.npz"}) {
     const ScratchFolder folder;
     const std::string path = folder.write(name, "old");
-    const Outcome outcome = run_program(writing(path), full_disk);
+    const Outcome outcome = run_program(writing_to(path), full_disk);
     EXPECT_EQ(outcome.exit_code, 1) << outcome.error;
     EXPECT_THAT(outcome.error, HasSubstr("shaftcull: " + path + ": cannot be written: File too large"));
-    EXPECT_EQ(bytes_of(path), "old");
+    EXPECT_EQ(bytes_of_file(path), "old");
     EXPECT_THAT(names_in(folder), testing::ElementsAre(name));
   }
 }
@@ -196,10 +188,10 @@ TEST(CliOutput, AMinusIsStandardOutputAndTheReportGoesToStandardError) {
 
   const ScratchFolder folder;
   const std::string path = folder.path("a.csv");
-  EXPECT_THAT(output_of(writing(path)), StartsWith("1 room: 8 objects"));
+  EXPECT_THAT(output_of(writing_to(path)), StartsWith("1 room: 8 objects"));
   const Outcome table = run_program(with(one_room, {"--out", "-", "--format", "json"}));
   EXPECT_EQ(table.exit_code, 0);
-  EXPECT_TRUE(table.out == bytes_of(path));
+  EXPECT_TRUE(table.out == bytes_of_file(path));
   EXPECT_THAT(table.error, HasSubstr("\"facing_away\""));
   EXPECT_FALSE(std::filesystem::exists("-"));
 
@@ -219,13 +211,13 @@ TEST(CliOutput, AFileThatIsOpenAlreadyIsWrittenInto) {
   // As /dev/stdout is.
   const std::string output = link_to("/proc/self/fd/1", folder.path("stdout.svg"));
   const std::string file = folder.write("file", "before\n");
-  const Outcome outcome = run_program(writing(output), "", ">>'" + file + "'");
+  const Outcome outcome = run_program(writing_to(output), "", ">>'" + file + "'");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
-  EXPECT_EQ(bytes_of(file), "before\n" + picture);
+  EXPECT_EQ(bytes_of_file(file), "before\n" + picture);
   EXPECT_THAT(outcome.error, HasSubstr("1 room: 8 objects"));
   // As what a shell gives for >(command) is.
   const std::string fifth = link_to("/proc/self/fd/5", folder.path("fifth.svg"));
-  const Outcome piped = run_program(writing(fifth), "", "5>&1 >/dev/null");
+  const Outcome piped = run_program(writing_to(fifth), "", "5>&1 >/dev/null");
   EXPECT_EQ(piped.out, picture) << piped.error;
   EXPECT_TRUE(std::filesystem::is_symlink(output) && std::filesystem::is_symlink(fifth));
 }
@@ -233,7 +225,7 @@ TEST(CliOutput, AFileThatIsOpenAlreadyIsWrittenInto) {
 TEST(CliOutput, ANumberThatIsNotOpenIsRefused) {
   const ScratchFolder folder;
   const std::string path = link_to("/proc/self/fd/99", folder.path("a.svg"));
-  EXPECT_THAT(refusal_of(writing(path)), HasSubstr(path + ": cannot be written: Bad file descriptor"));
+  EXPECT_THAT(refusal_of(writing_to(path)), HasSubstr(path + ": cannot be written: Bad file descriptor"));
 }
 
 TEST(CliOutput, TwoOutputsAreTwoFiles) {

@@ -26,6 +26,11 @@ std::string bytes_of_file(const std::string& path) {
   return bytes.str();
 }
 
+std::size_t files_in(const std::string& folder) {
+  const std::filesystem::directory_iterator files(cli::file_path(folder));
+  return static_cast<std::size_t>(std::distance(begin(files), end(files)));
+}
+
 std::string output_of(const std::vector<std::string>& arguments) {
   const Outcome outcome = run_program(arguments);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.error;

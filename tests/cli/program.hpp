@@ -20,6 +20,7 @@ struct Outcome {
 [[nodiscard]] std::string program_path();
 
 [[nodiscard]] std::string bytes_of_file(const std::string& path);
+[[nodiscard]] std::size_t files_in(const std::string& folder);
 
 /// Runs that program. `environment` is an assignment, "NAME=value"; in a POSIX shell it may be several, or other
 /// commands. `redirection`, which only such a shell does, sends standard output elsewhere, ">/dev/full".
@@ -34,6 +35,12 @@ void expect_refusal(const Outcome& outcome);
 
 /// Runs the program, expects it to refuse, and returns what it said.
 [[nodiscard]] std::string refusal_of(const std::vector<std::string>& arguments);
+
+/// Arguments of the program for a room whose walls are solid; and for a report of one whose first cupboard is solid,
+/// too.
+inline const std::vector<std::string> one_room{"sees", "--rooms", "1", "--patches", "1.5", "--solid", "wall*"};
+inline const std::vector<std::string> report_of_one_room{"sees",    "--rooms", "1",          "--patches", "1.5",
+                                                         "--solid", "wall*",   "cupboard 1", "--format",  "json"};
 
 [[nodiscard]] std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more);
 

@@ -19,14 +19,6 @@ namespace {
 using testing::HasSubstr;
 using Json = nlohmann::json;
 
-const std::vector<std::string> one_room{"sees",    "--rooms", "1",          "--patches", "1.5",
-                                        "--solid", "wall*",   "cupboard 1", "--format",  "json"};
-
-std::size_t files_in(const std::string& folder) {
-  const std::filesystem::directory_iterator files(folder);
-  return static_cast<std::size_t>(std::distance(begin(files), end(files)));
-}
-
 // Reads a file as docs/program.md says, checks that its arrays fit together, and prints how many pairs there are of
 // each kind.
 constexpr const char* reader = R"(
@@ -77,7 +69,7 @@ TEST(CliSees, NumPyReadsWhatWasPrinted) {
   if (std::system("/usr/bin/python3 -c 'import numpy' >/dev/null 2>&1") != 0) GTEST_SKIP() << "there is no NumPy";
   const ScratchFolder folder;
   const std::string path = folder.path("sights.npz");
-  const Json report = Json::parse(output_of(with(one_room, {"--rays", "4", "--candidates", "--out", path})));
+  const Json report = Json::parse(output_of(with(report_of_one_room, {"--rays", "4", "--candidates", "--out", path})));
   const std::string script = folder.write("reader.py", reader);
   const std::string counts = output_of_command("/usr/bin/python3 '" + script + "' '" + path + "' 2>&1");
   ASSERT_THAT(counts, testing::StartsWith("{"));
@@ -89,7 +81,7 @@ TEST(CliSees, AFullDiskIsAnErrorThatLeavesNoFile) {
   for (const char* name : {"sights.npz", "sights.csv", "picture.svg"}) {
     const std::string path = folder.path(name);
     const std::string option = path.ends_with(".svg") ? "--svg" : "--out";
-    const Outcome outcome = run_program(with(one_room, {option, path}), "trap '' XFSZ; ulimit -f 8;");
+    const Outcome outcome = run_program(with(report_of_one_room, {option, path}), "trap '' XFSZ; ulimit -f 8;");
     EXPECT_EQ(outcome.exit_code, 1) << outcome.error;
     EXPECT_THAT(outcome.error, HasSubstr("shaftcull: " + path + ": cannot be written: "));
     EXPECT_EQ(files_in(folder.path("")), 0) << path;

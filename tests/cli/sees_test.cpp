@@ -22,22 +22,8 @@ using testing::AllOf;
 using testing::HasSubstr;
 using Json = nlohmann::json;
 
-const std::vector<std::string> one_room{"sees",    "--rooms", "1",          "--patches", "1.5",
-                                        "--solid", "wall*",   "cupboard 1", "--format",  "json"};
-
-std::string bytes_of(const std::string& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
-
-std::size_t files_in(const std::string& folder) {
-  const std::filesystem::directory_iterator files(folder);
-  return static_cast<std::size_t>(std::distance(begin(files), end(files)));
-}
-
 TEST(CliSees, KindsOfPairsAddUpToAll) {
-  const Json report = Json::parse(output_of(one_room));
+  const Json report = Json::parse(output_of(report_of_one_room));
   const Json& pairs = report["pairs"];
   const std::uint64_t patches = report["patches"];
   EXPECT_EQ(pairs["all"], patches * (patches - 1) / 2);
@@ -53,8 +39,8 @@ TEST(CliSees, KindsOfPairsAddUpToAll) {
 }
 
 TEST(CliSees, RaysTellOfUndecidedPairsHowMuchIsSeen) {
-  const Json without = Json::parse(output_of(one_room))["pairs"];
-  const Json pairs = Json::parse(output_of(with(one_room, {"--rays", "9"})))["pairs"];
+  const Json without = Json::parse(output_of(report_of_one_room))["pairs"];
+  const Json pairs = Json::parse(output_of(with(report_of_one_room, {"--rays", "9"})))["pairs"];
   for (const char* kind : {"clear", "facing_away", "all"}) EXPECT_EQ(pairs[kind], without[kind]);
   // Solids hide nothing of what lies inside them.
   EXPECT_GE(pairs["undecided"], without["undecided"]);
@@ -68,8 +54,8 @@ TEST(CliSees, RaysTellOfUndecidedPairsHowMuchIsSeen) {
 }
 
 TEST(CliSees, TableAndCsvHaveTheNumbersOfJson) {
-  const Json pairs = Json::parse(output_of(with(one_room, {"--rays", "4"})))["pairs"];
-  std::vector<std::string> arguments = with(one_room, {"--rays", "4"});
+  const Json pairs = Json::parse(output_of(with(report_of_one_room, {"--rays", "4"})))["pairs"];
+  std::vector<std::string> arguments = with(report_of_one_room, {"--rays", "4"});
   arguments[9] = "csv";
   const std::vector<std::string> csv = lines(output_of(arguments));
   EXPECT_EQ(csv[0], "kind,pairs,share");
@@ -89,8 +75,8 @@ TEST(CliSees, TableAndCsvHaveTheNumbersOfJson) {
 TEST(CliSees, CsvFileHasEachPairOnceAndTheCountsThatArePrinted) {
   const ScratchFolder folder;
   const std::string path = folder.path("sights.csv");
-  const Json report = Json::parse(output_of(with(one_room, {"--rays", "4", "--out", path})));
-  const std::vector<std::string> rows = lines(bytes_of(path));
+  const Json report = Json::parse(output_of(with(report_of_one_room, {"--rays", "4", "--out", path})));
+  const std::vector<std::string> rows = lines(bytes_of_file(path));
   ASSERT_EQ(rows[0], "a,b,sight,seen");
   std::map<std::string, std::uint64_t> counts;
   std::set<std::pair<int, int>> pairs;
@@ -115,8 +101,8 @@ TEST(CliSees, CsvFileHasEachPairOnceAndTheCountsThatArePrinted) {
 TEST(CliSees, FilesAreTheSameForAnyNumberOfThreadsAndInstructionSet) {
   const ScratchFolder folder;
   const auto file = [&](const std::string& name, const std::vector<std::string>& more) {
-    static_cast<void>(output_of(with(with(one_room, {"--rays", "4", "--out", folder.path(name)}), more)));
-    return bytes_of(folder.path(name));
+    static_cast<void>(output_of(with(with(report_of_one_room, {"--rays", "4", "--out", folder.path(name)}), more)));
+    return bytes_of_file(folder.path(name));
   };
   const std::string one = file("one.csv", {"--threads", "1"});
   EXPECT_EQ(one, file("many.csv", {"--threads", "0", "--isa", "scalar"}));
@@ -129,7 +115,7 @@ TEST(CliSees, FilesAreTheSameWhateverMemoryAnswersMayTake) {
   const auto file = [&](const std::string& name, const char* megabytes) {
     static_cast<void>(output_of({"sees", "--rooms", "1", "--patches", "0.9", "--solid", "wall*", "--out",
                                  folder.path(name), "--memory", megabytes}));
-    return bytes_of(folder.path(name));
+    return bytes_of_file(folder.path(name));
   };
   for (const std::string kind : {".npz", ".csv"}) {
     EXPECT_TRUE(file("little" + kind, "1") == file("much" + kind, "256")) << kind;
@@ -140,14 +126,14 @@ TEST(CliSees, FilesHaveCandidatesOnlyIfAskedFor) {
   const ScratchFolder folder;
   const std::string path = folder.path("sights.npz");
   for (const std::vector<std::string>& rays : std::vector<std::vector<std::string>>{{}, {"--rays", "2"}}) {
-    static_cast<void>(output_of(with(with(one_room, rays), {"--out", path})));
-    EXPECT_THAT(bytes_of(path), AllOf(HasSubstr("undecided.npy"), testing::Not(HasSubstr("candidate"))));
-    static_cast<void>(output_of(with(with(one_room, rays), {"--out", path, "--candidates"})));
-    EXPECT_THAT(bytes_of(path), AllOf(HasSubstr("first_candidate.npy"), HasSubstr("candidates.npy")));
+    static_cast<void>(output_of(with(with(report_of_one_room, rays), {"--out", path})));
+    EXPECT_THAT(bytes_of_file(path), AllOf(HasSubstr("undecided.npy"), testing::Not(HasSubstr("candidate"))));
+    static_cast<void>(output_of(with(with(report_of_one_room, rays), {"--out", path, "--candidates"})));
+    EXPECT_THAT(bytes_of_file(path), AllOf(HasSubstr("first_candidate.npy"), HasSubstr("candidates.npy")));
   }
-  EXPECT_THAT(refusal_of(with(one_room, {"--out", folder.path("sights.csv"), "--candidates"})),
+  EXPECT_THAT(refusal_of(with(report_of_one_room, {"--out", folder.path("sights.csv"), "--candidates"})),
               HasSubstr("a CSV file has no candidates; give an .npz file"));
-  static_cast<void>(refusal_of(with(one_room, {"--candidates"})));
+  static_cast<void>(refusal_of(with(report_of_one_room, {"--candidates"})));
 }
 
 TEST(CliSees, ALargeFileIsAnnounced) {
@@ -161,15 +147,15 @@ TEST(CliSees, ALargeFileIsAnnounced) {
   const double megabytes = std::stod(said[1].substr(said[1].find("and ") + 4));
   EXPECT_NEAR(megabytes * 1e6 / static_cast<double>(std::filesystem::file_size(path)), 1, 0.3);
 
-  EXPECT_THAT(run_program(with(one_room, {"--out", path})).error, testing::Not(HasSubstr("This will take")));
+  EXPECT_THAT(run_program(with(report_of_one_room, {"--out", path})).error, testing::Not(HasSubstr("This will take")));
 }
 
 TEST(CliSees, PictureShowsPatchesFromAbove) {
   const ScratchFolder folder;
   const auto picture = [&](const std::string& up) {
     const std::string path = folder.path(up + ".svg");
-    static_cast<void>(output_of(with(one_room, {"--svg", path, "--up", up})));
-    return bytes_of(path);
+    static_cast<void>(output_of(with(report_of_one_room, {"--svg", path, "--up", up})));
+    return bytes_of_file(path);
   };
   const std::string from_above = picture("z");
   EXPECT_THAT(from_above, AllOf(testing::StartsWith("<svg "), HasSubstr("x to the right, y up</title>"),
@@ -179,7 +165,7 @@ TEST(CliSees, PictureShowsPatchesFromAbove) {
 
 TEST(CliSees, PictureShowsUndecidedPairsApart) {
   const auto picture = [&](const std::vector<std::string>& more) {
-    const Outcome outcome = run_program(with(with(one_room, {"--svg", "-"}), more));
+    const Outcome outcome = run_program(with(with(report_of_one_room, {"--svg", "-"}), more));
     EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
     return outcome.out;
   };
@@ -189,7 +175,7 @@ TEST(CliSees, PictureShowsUndecidedPairsApart) {
 }
 
 TEST(CliSees, ObjectsAddUpToAllPairs) {
-  const std::vector<std::string> arguments = with(one_room, {"--objects", "--rays", "3"});
+  const std::vector<std::string> arguments = with(report_of_one_room, {"--objects", "--rays", "3"});
   const Json report = Json::parse(output_of(arguments));
   const Json& pairs = report["pairs"];
   std::map<std::string, std::uint64_t> sums;
@@ -214,12 +200,12 @@ TEST(CliSees, ObjectsAddUpToAllPairs) {
   EXPECT_EQ(csv.size(), 1 + objects.size());
   other[9] = "text";
   EXPECT_THAT(output_of(other), AllOf(HasSubstr("pairs of objects"), HasSubstr("wall 1 - wall 2")));
-  EXPECT_FALSE(Json::parse(output_of(one_room)).contains("object_pairs"));
+  EXPECT_FALSE(Json::parse(output_of(report_of_one_room)).contains("object_pairs"));
 }
 
 TEST(CliSees, ThePageHasThePictureThatItsCommandMakes) {
   const std::string docs = SHAFTCULL_DOCS;
-  const std::string page = bytes_of(docs + "/program.md");
+  const std::string page = bytes_of_file(docs + "/program.md");
   const std::size_t begin = page.find("    shaftcull sees --rooms 6 ");
   ASSERT_NE(begin, std::string::npos);
   const std::string command = page.substr(begin, page.find('\n', begin) - begin);
@@ -234,13 +220,13 @@ TEST(CliSees, ThePageHasThePictureThatItsCommandMakes) {
   const ScratchFolder folder;
   arguments.back() = folder.path("sees.svg");
   static_cast<void>(output_of(arguments));
-  EXPECT_EQ(bytes_of(arguments.back()), bytes_of(docs + "/sees.svg"));
+  EXPECT_EQ(bytes_of_file(arguments.back()), bytes_of_file(docs + "/sees.svg"));
 }
 
 TEST(CliSees, CoordinatesOfPicturesAreShort) {
   const ScratchFolder folder;
-  static_cast<void>(output_of(with(one_room, {"--svg", folder.path("room.svg")})));
-  const std::string svg = bytes_of(folder.path("room.svg"));
+  static_cast<void>(output_of(with(report_of_one_room, {"--svg", folder.path("room.svg")})));
+  const std::string svg = bytes_of_file(folder.path("room.svg"));
   for (std::size_t at = svg.find('.'); at != std::string::npos; at = svg.find('.', at + 1)) {
     const std::size_t end = svg.find_first_not_of("0123456789", at + 1);
     EXPECT_LE(end - at - 1, 3) << svg.substr(at - 9, 40);
@@ -313,16 +299,19 @@ TEST(CliSees, SolidsAreFoundUnlessTheyAreNotWanted) {
 
 TEST(CliSees, FilesThatCannotBeMadeAreRefused) {
   const ScratchFolder folder;
-  EXPECT_THAT(refusal_of(with(one_room, {"--svg", "a.svg", "--ply", "a.svg"})),
+  EXPECT_THAT(refusal_of(with(report_of_one_room, {"--svg", "a.svg", "--ply", "a.svg"})),
               HasSubstr("--svg a.svg --ply a.svg: one cannot be both; give two files"));
   for (const std::string& name : {folder.path("none/sights.npz"), folder.path("none/sights.csv")}) {
-    EXPECT_THAT(refusal_of(with(one_room, {"--out", name})), HasSubstr(name + ": cannot be written: No such file"));
+    EXPECT_THAT(refusal_of(with(report_of_one_room, {"--out", name})),
+                HasSubstr(name + ": cannot be written: No such file"));
   }
-  EXPECT_THAT(refusal_of(with(one_room, {"--svg", folder.path("none/a.svg")})), HasSubstr("cannot be written"));
-  EXPECT_THAT(refusal_of(with(one_room, {"--out", folder.path("sights.txt")})),
+  EXPECT_THAT(refusal_of(with(report_of_one_room, {"--svg", folder.path("none/a.svg")})),
+              HasSubstr("cannot be written"));
+  EXPECT_THAT(refusal_of(with(report_of_one_room, {"--out", folder.path("sights.txt")})),
               HasSubstr("Give a name that ends in .npz or .csv"));
   std::filesystem::create_directory(folder.path("folder.npz"));
-  EXPECT_THAT(refusal_of(with(one_room, {"--out", folder.path("folder.npz")})), HasSubstr("it is a directory"));
+  EXPECT_THAT(refusal_of(with(report_of_one_room, {"--out", folder.path("folder.npz")})),
+              HasSubstr("it is a directory"));
   EXPECT_EQ(files_in(folder.path("")), 1);
 }
 

@@ -14,14 +14,13 @@
 #include "oracle/grid_answers.hpp"
 #include "oracle/hull.hpp"
 #include "oracle/open_contact.hpp"
+#include "result_words.hpp"
 #include "shaftcull/compiled.hpp"
 
 namespace shaftcull {
 namespace {
 
 static_assert(bounds_on_grid == kernel::tile_bounds);
-
-bool bit(const std::vector<std::uint64_t>& words, std::size_t i) { return (words[i / 64] >> i % 64 & 1U) != 0; }
 
 Answer answer(const std::vector<std::uint64_t>& kept, const std::vector<std::uint64_t>& inside, std::size_t i) {
   return !bit(kept, i) ? Answer::outside : bit(inside, i) ? Answer::inside : Answer::overlap;

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <string>
 #include <utility>
@@ -23,6 +22,7 @@
 #include "oracle/cases/shafts.hpp"
 #include "oracle/random.hpp"
 #include "shaftcull/compiled.hpp"
+#include "special_floats.hpp"
 
 namespace shaftcull {
 namespace {
@@ -315,9 +315,8 @@ TEST(CompileBatch, SizesThatDifferAreRefused) {
 }
 
 TEST(CompileBatch, ABadBoxIsNamedAndNothingIsWritten) {
-  constexpr float inf = std::numeric_limits<float>::infinity();
   const Box good{{0, 0, 0}, {1, 1, 1}};
-  for (const Box& bad : {Box{{0, 0, 0}, {1, inf, 1}}, Box{{0, 0, 2}, {1, 1, 1}}, Box{{0, NAN, 0}, {1, 1, 1}}}) {
+  for (const Box& bad : {Box{{0, 0, 0}, {1, infinity, 1}}, Box{{0, 0, 2}, {1, 1, 1}}, Box{{0, NAN, 0}, {1, 1, 1}}}) {
     for (const bool in_first : {true, false}) {
       std::vector<Box> a(30, good);
       std::vector<Box> b(30, good);

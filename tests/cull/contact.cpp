@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <limits>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -22,11 +21,10 @@
 #include "oracle/random.hpp"
 #include "sanitizers.hpp"
 #include "shaftcull/shaftcull.hpp"
+#include "special_floats.hpp"
 
 namespace shaftcull {
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 ShaftInput opened(ShaftInput input) {
   input.contact = Contact::open;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -19,12 +18,10 @@
 #include "shaftcull/first_contact.hpp"
 #include "shaftcull/tree.hpp"
 #include "shaftcull/volumes.hpp"
+#include "special_floats.hpp"
 
 namespace shaftcull {
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 /// Of one bound, in a view and in a tree.
 template <class Bound>

@@ -16,7 +16,7 @@ namespace {
 
 /// Checks `shafts` random inputs, each with the boxes that `boxes_of` makes for it.
 template <class MakeShaft, class MakeBoxes>
-void check(std::uint64_t seed, std::size_t shafts, const MakeShaft& shaft_of, const MakeBoxes& boxes_of) {
+void expect_exact_boxes(std::uint64_t seed, std::size_t shafts, const MakeShaft& shaft_of, const MakeBoxes& boxes_of) {
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
   for (std::size_t i = 0; i != random_cases(shafts) && !testing::Test::HasFailure(); ++i) {
@@ -26,7 +26,7 @@ void check(std::uint64_t seed, std::size_t shafts, const MakeShaft& shaft_of, co
 }
 
 template <class MakeBox>
-auto many(std::size_t count, const MakeBox& make) {
+auto boxes_by(std::size_t count, const MakeBox& make) {
   return [count, make](Random& random, const ShaftInput& input) {
     std::vector<Box> boxes;
     for (std::size_t i = 0; i != count; ++i) boxes.push_back(make(random, input));
@@ -34,69 +34,79 @@ auto many(std::size_t count, const MakeBox& make) {
   };
 }
 
+Box touching(Random& random, const ShaftInput& input) { return touching_box(random, input); }
+
 TEST(ExactBoxes, RandomBoxesAreAnsweredExactly) {
-  check(1, 200, random_shaft, many(64, [](Random& random, const ShaftInput&) { return random_box(random); }));
+  expect_exact_boxes(1, 200, random_shaft,
+                     boxes_by(64, [](Random& random, const ShaftInput&) { return random_box(random); }));
 }
 
-TEST(ExactBoxes, BoxesThatTouchOrNearlyTouchAreAnsweredExactly) { check(2, 250, random_shaft, many(64, touching_box)); }
+TEST(ExactBoxes, BoxesThatTouchOrNearlyTouchAreAnsweredExactly) {
+  expect_exact_boxes(2, 250, random_shaft, boxes_by(64, touching));
+}
 
 TEST(ExactBoxes, BoxesThatTouchLongShaftsAreAnsweredExactly) {
-  check(
-      11, 80, [](Random& random) { return long_shaft(random); }, many(64, touching_box));
-  check(
-      12, 80, [](Random& random) { return long_shaft(random, true); }, many(64, touching_box));
+  expect_exact_boxes(
+      11, 80, [](Random& random) { return long_shaft(random); }, boxes_by(64, touching));
+  expect_exact_boxes(
+      12, 80, [](Random& random) { return long_shaft(random, true); }, boxes_by(64, touching));
 }
 
 TEST(ExactBoxes, GridAlignedBoxesAreAnsweredExactly) {
-  check(
+  expect_exact_boxes(
       3, 250, [](Random& random) { return grid_shaft(random); },
-      many(64, [](Random& random, const ShaftInput&) { return random.grid_box(0, 8); }));
+      boxes_by(64, [](Random& random, const ShaftInput&) { return random.grid_box(0, 8); }));
 }
 
 TEST(ExactBoxes, DegenerateShaftsAnswerExactly) {
-  check(4, 200, degenerate_shaft, many(32, touching_box));
-  check(5, 100, degenerate_shaft, many(32, [](Random& random, const ShaftInput&) { return random_box(random); }));
+  expect_exact_boxes(4, 200, degenerate_shaft, boxes_by(32, touching));
+  expect_exact_boxes(5, 100, degenerate_shaft,
+                     boxes_by(32, [](Random& random, const ShaftInput&) { return random_box(random); }));
 }
 
 TEST(ExactBoxes, ShaftsFarFromTheOriginAnswerExactly) {
   for (const float distance : {1e3F, 1e4F, 1e5F, 1e7F}) {
-    check(
+    expect_exact_boxes(
         6, 60, [distance](Random& random) { return distant_shaft(random, distance); },
-        many(32, [](Random& random, const ShaftInput& of) {
+        boxes_by(32, [](Random& random, const ShaftInput& of) {
           return random.one_in(4) ? nearby_box(random, of) : touching_box(random, of);
         }));
   }
 }
 
-TEST(ExactBoxes, ShaftsOfNearlyEqualFacesAnswerExactly) { check(7, 150, nearly_equal_shaft, many(32, touching_box)); }
+TEST(ExactBoxes, ShaftsOfNearlyEqualFacesAnswerExactly) {
+  expect_exact_boxes(7, 150, nearly_equal_shaft, boxes_by(32, touching));
+}
 
 TEST(ExactBoxes, EveryMagnitudeFromDenormalsTo1e38IsAnsweredExactly) {
   // First one scale for the whole scene, then a scale of its own for each coordinate.
   for (const int exponent : {-149, -140, -126, -100, -64, 64, 100, 126}) {
     const int most = std::min(exponent + 6, 127);
-    check(
+    expect_exact_boxes(
         8, 15, [=](Random& random) { return wild_shaft(random, exponent, most); },
-        many(32, [=](Random& random, const ShaftInput& of) {
+        boxes_by(32, [=](Random& random, const ShaftInput& of) {
           return random.one_in(2) ? wild_box(random, exponent, most) : touching_box(random, of);
         }));
   }
-  check(
-      9, 150, [](Random& random) { return wild_shaft(random); }, many(32, [](Random& random, const ShaftInput& of) {
+  expect_exact_boxes(
+      9, 150, [](Random& random) { return wild_shaft(random); }, boxes_by(32, [](Random& random, const ShaftInput& of) {
         return random.one_in(2) ? wild_box(random) : touching_box(random, of);
       }));
 }
 
 TEST(ExactBoxes, BoxesOfAnySizeAroundAnOrdinaryShaftAreAnsweredExactly) {
-  check(13, 100, random_shaft, many(64, [](Random& random, const ShaftInput&) { return boundless_box(random); }));
+  expect_exact_boxes(13, 100, random_shaft,
+                     boxes_by(64, [](Random& random, const ShaftInput&) { return boundless_box(random); }));
 }
 
 /// Most of them in the relative form.
 TEST(ExactBoxes, SweepsThatEndFarBeyondTheSceneAnswerExactly) {
-  check(14, 250, far_sweep_shaft, many(64, touching_far_sweep));
-  check(15, 100, far_sweep_shaft, many(64, [](Random& random, const ShaftInput&) { return random_box(random); }));
-  check(16, 60, far_sweep_shaft, many(32, [](Random& random, const ShaftInput& of) {
-          return random.one_in(2) ? touching_box(random, of) : boundless_box(random);
-        }));
+  expect_exact_boxes(14, 250, far_sweep_shaft, boxes_by(64, touching_far_sweep));
+  expect_exact_boxes(15, 100, far_sweep_shaft,
+                     boxes_by(64, [](Random& random, const ShaftInput&) { return random_box(random); }));
+  expect_exact_boxes(16, 60, far_sweep_shaft, boxes_by(32, [](Random& random, const ShaftInput& of) {
+                       return random.one_in(2) ? touching_box(random, of) : boundless_box(random);
+                     }));
 }
 
 TEST(ExactBoxes, EveryColouringOfTheFacesAnswersExactly) {

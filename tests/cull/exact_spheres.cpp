@@ -17,8 +17,8 @@ namespace {
 
 /// Checks `shafts` random inputs against `count` spheres each, made from the input's hull.
 template <class MakeShaft, class MakeSphere>
-void check(std::uint64_t seed, std::size_t shafts, std::size_t count, const MakeShaft& shaft_of,
-           const MakeSphere& sphere_of) {
+void expect_exact_spheres(std::uint64_t seed, std::size_t shafts, std::size_t count, const MakeShaft& shaft_of,
+                          const MakeSphere& sphere_of) {
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
   for (std::size_t i = 0; i != random_cases(shafts) && !testing::Test::HasFailure(); ++i) {
@@ -38,12 +38,14 @@ Sphere near_sphere(Random& random, const ShaftInput& input, const oracle::QuickH
   return touching_sphere(random, hull, random_centre(random, input));
 }
 
-TEST(ExactSpheres, RandomSpheresAreAnsweredExactly) { check(21, 150, 64, random_shaft, random); }
+TEST(ExactSpheres, RandomSpheresAreAnsweredExactly) { expect_exact_spheres(21, 150, 64, random_shaft, random); }
 
-TEST(ExactSpheres, SpheresThatTouchOrNearlyTouchAreAnsweredExactly) { check(22, 150, 64, random_shaft, near_sphere); }
+TEST(ExactSpheres, SpheresThatTouchOrNearlyTouchAreAnsweredExactly) {
+  expect_exact_spheres(22, 150, 64, random_shaft, near_sphere);
+}
 
 TEST(ExactSpheres, GridAlignedSpheresAreAnsweredExactly) {
-  check(
+  expect_exact_spheres(
       23, 150, 64, [](Random& random) { return grid_shaft(random); },
       [](Random& random, const ShaftInput&, const oracle::QuickHull&) {
         return Sphere{{random.integer(-4, 12), random.integer(-4, 12), random.integer(-4, 12)}, random.integer(0, 6)};
@@ -51,25 +53,26 @@ TEST(ExactSpheres, GridAlignedSpheresAreAnsweredExactly) {
 }
 
 TEST(ExactSpheres, DegenerateShaftsAnswerExactly) {
-  check(24, 150, 24, degenerate_shaft, near_sphere);
-  check(25, 60, 24, degenerate_shaft, [](Random& random, const ShaftInput& of, const oracle::QuickHull&) {
-    // Centres on the shaft's own corners, where every distance is 0.
-    return Sphere{random.one_in(2) ? of.a.lo : of.b.hi, random.one_in(2) ? 0.0F : random.uniform(0.0F, 1.0F)};
-  });
+  expect_exact_spheres(24, 150, 24, degenerate_shaft, near_sphere);
+  expect_exact_spheres(
+      25, 60, 24, degenerate_shaft, [](Random& random, const ShaftInput& of, const oracle::QuickHull&) {
+        // Centres on the shaft's own corners, where every distance is 0.
+        return Sphere{random.one_in(2) ? of.a.lo : of.b.hi, random.one_in(2) ? 0.0F : random.uniform(0.0F, 1.0F)};
+      });
 }
 
 TEST(ExactSpheres, ShaftsFarFromTheOriginAnswerExactly) {
   for (const float distance : {1e3F, 1e4F, 1e5F, 1e7F}) {
     const auto input = [distance](Random& random) { return distant_shaft(random, distance); };
-    check(26, 40, 24, input, random);
-    check(27, 40, 24, input, near_sphere);
+    expect_exact_spheres(26, 40, 24, input, random);
+    expect_exact_spheres(27, 40, 24, input, near_sphere);
   }
 }
 
 TEST(ExactSpheres, RadiiAsSmallAsRoundingErrorsAreAnsweredExactly) {
-  check(
+  expect_exact_spheres(
       32, 400, 32, [](Random& random) { return long_shaft(random); }, tiny_sphere);
-  check(
+  expect_exact_spheres(
       33, 200, 32, [](Random& random) { return long_shaft(random, true); }, tiny_sphere);
 }
 
@@ -81,8 +84,8 @@ TEST(ExactSpheres, SpheresOnJoiningPlanesAreAnsweredExactly) {
                  {{0x1.06486ep-1F, 0x1.c43a78p+1F, 0x1.1afd24p+0F}, {0x1.188f08p+0F, 0x1.08c944p+2F, 0x1.c677bcp+0F}},
                  {}},
       std::vector<Sphere>{{{-0x1.4ab0f4p+3F, -0x1.d31976p+7F, 0x1.bc966p-1F}, 0x1.daa838p+7F}});
-  check(34, 100, 32, random_shaft, resting_sphere);
-  check(
+  expect_exact_spheres(34, 100, 32, random_shaft, resting_sphere);
+  expect_exact_spheres(
       35, 50, 32, [](Random& random) { return long_shaft(random, true); }, resting_sphere);
 }
 
@@ -101,12 +104,13 @@ TEST(ExactSpheres, ASphereAsFarFromAFaceAsItsRadiusButForADenormalIsAnsweredExac
 TEST(ExactSpheres, SpheresAndPointsThatTouchOnAGridAreAnsweredExactly) {
   for (const int exponent : {-149, -130, -60, 0, 60, 121}) {
     const auto input = [exponent](Random& random) { return pythagorean_shaft(random, exponent); };
-    check(38, 60, 64, input, [exponent](Random& random, const ShaftInput&, const oracle::QuickHull&) {
+    expect_exact_spheres(38, 60, 64, input, [exponent](Random& random, const ShaftInput&, const oracle::QuickHull&) {
       return whole_sphere(random, exponent);
     });
-    check(39, 60, 64, input, [exponent](Random& random, const ShaftInput&, const oracle::QuickHull& hull) {
-      return whole_touching_sphere(random, hull, exponent);
-    });
+    expect_exact_spheres(39, 60, 64, input,
+                         [exponent](Random& random, const ShaftInput&, const oracle::QuickHull& hull) {
+                           return whole_touching_sphere(random, hull, exponent);
+                         });
   }
 }
 
@@ -124,7 +128,7 @@ TEST(ExactSpheres, SpheresAndPointsOnAGridOfTenthsAreAnsweredExactly) {
     const ShaftInput whole = pythagorean_shaft(random);
     return ShaftInput{tenths(whole.a), tenths(whole.b)};
   };
-  check(40, 150, 64, input, [](Random& random, const ShaftInput&, const oracle::QuickHull&) {
+  expect_exact_spheres(40, 150, 64, input, [](Random& random, const ShaftInput&, const oracle::QuickHull&) {
     Sphere sphere = whole_sphere(random);
     for (float& x : sphere.centre) x *= 0.1F;
     sphere.radius *= 0.1F;
@@ -132,18 +136,20 @@ TEST(ExactSpheres, SpheresAndPointsOnAGridOfTenthsAreAnsweredExactly) {
   });
 }
 
-TEST(ExactSpheres, ShaftsOfNearlyEqualFacesAnswerExactly) { check(31, 100, 24, nearly_equal_shaft, near_sphere); }
+TEST(ExactSpheres, ShaftsOfNearlyEqualFacesAnswerExactly) {
+  expect_exact_spheres(31, 100, 24, nearly_equal_shaft, near_sphere);
+}
 
 TEST(ExactSpheres, EveryMagnitudeFromDenormalsTo1e38IsAnsweredExactly) {
   for (const int exponent : {-149, -140, -126, -100, -64, 64, 100, 122}) {
     const auto wild = [exponent](Random& random) { return random.wild(exponent, exponent + 4); };
-    check(
+    expect_exact_spheres(
         28, 15, 24, [exponent](Random& random) { return wild_shaft(random, exponent, exponent + 4); },
         [wild](Random& random, const ShaftInput&, const oracle::QuickHull&) {
           return Sphere{{wild(random), wild(random), wild(random)}, std::abs(wild(random))};
         });
   }
-  check(
+  expect_exact_spheres(
       29, 120, 24, [](Random& random) { return wild_shaft(random); },
       [](Random& random, const ShaftInput&, const oracle::QuickHull&) {
         return Sphere{{random.wild(), random.wild(), random.wild()}, std::abs(random.wild())};
@@ -160,11 +166,11 @@ TEST(ExactSpheres, SpheresBesideHugeShaftsAreAnsweredExactly) {
   const auto turned = [](const Vec3& v) { return Vec3{v[1], v[0], v[2]}; };
   expect_exact(ShaftInput{{turned(point.lo), turned(point.hi)}, {turned(end.lo), turned(end.hi)}, {}},
                std::vector<Sphere>{{turned(sphere.centre), sphere.radius}});
-  check(37, 100, 64, huge_shaft, sphere_beside_huge);
+  expect_exact_spheres(37, 100, 64, huge_shaft, sphere_beside_huge);
 }
 
 TEST(ExactSpheres, SpheresOfAnySizeAroundAnOrdinaryShaftAreAnsweredExactly) {
-  check(36, 60, 32, random_shaft, boundless_sphere);
+  expect_exact_spheres(36, 60, 32, random_shaft, boundless_sphere);
 }
 
 TEST(ExactSpheres, EveryColouringOfTheFacesAnswersExactly) {

@@ -7,7 +7,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,20 +20,17 @@
 #include "message_of.hpp"
 #include "oracle/blocking.hpp"
 #include "oracle/cases/families.hpp"
+#include "result_words.hpp"
 #include "sanitizers.hpp"
 #include "shaftcull/hull.hpp"
 #include "shaftcull/occluded.hpp"
 #include "shaftcull/volumes.hpp"
+#include "special_floats.hpp"
 
 namespace shaftcull {
 namespace {
 
-constexpr float inf = std::numeric_limits<float>::infinity();
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-
 using Bits = std::vector<std::uint64_t>;
-
-bool bit(const Bits& words, std::size_t i) { return (words[i / 64] >> i % 64 & 1U) != 0; }
 
 /// The bits of those boxes that the active instruction set's kernel says block the shaft.
 Bits blocking(const CompiledShaft& shaft, const BoxView& boxes) {
@@ -99,8 +95,8 @@ std::size_t expect_exact_blocking(const ShaftInput& input, std::vector<Box> boxe
 
 /// Checks `shafts` random inputs, each with 70 boxes that `box_of` makes for it; at least one box in `one_in` blocks.
 template <class MakeShaft, class MakeBox>
-void check(std::uint64_t seed, std::size_t shafts, std::size_t one_in, const MakeShaft& shaft_of,
-           const MakeBox& box_of) {
+void expect_exact_occluders(std::uint64_t seed, std::size_t shafts, std::size_t one_in, const MakeShaft& shaft_of,
+                            const MakeBox& box_of) {
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
   std::size_t boxes = 0;
@@ -116,19 +112,21 @@ void check(std::uint64_t seed, std::size_t shafts, std::size_t one_in, const Mak
 }
 
 TEST(Occluded, RandomBoxesAreAnsweredExactly) {
-  check(711, 60, 200, random_shaft, [](Random& random, const ShaftInput&) { return random.box(-6, 6, 0.5F, 6.0F); });
+  expect_exact_occluders(711, 60, 200, random_shaft,
+                         [](Random& random, const ShaftInput&) { return random.box(-6, 6, 0.5F, 6.0F); });
 }
 
 TEST(Occluded, BoxesThatJustBlockOrJustDoNotAreAnsweredExactly) {
-  check(712, 100, 10, random_shaft, blocking_box);
-  check(
+  expect_exact_occluders(712, 100, 10, random_shaft, blocking_box);
+  expect_exact_occluders(
       713, 60, 10, [](Random& random) { return long_shaft(random, random.one_in(2)); }, blocking_box);
 }
 
 TEST(Occluded, BoxesOnAGridAreAnsweredExactly) {
   const auto shaft = [](Random& random) { return grid_shaft(random, 4); };
-  check(714, 150, 12, shaft, blocking_box);
-  check(715, 150, 200, shaft, [](Random& random, const ShaftInput&) { return random.grid_box(-1, 5); });
+  expect_exact_occluders(714, 150, 12, shaft, blocking_box);
+  expect_exact_occluders(715, 150, 200, shaft,
+                         [](Random& random, const ShaftInput&) { return random.grid_box(-1, 5); });
 }
 
 TEST(Occluded, FlatShaftsAndFlatBoxesAreAnsweredExactly) {
@@ -137,7 +135,7 @@ TEST(Occluded, FlatShaftsAndFlatBoxesAreAnsweredExactly) {
     box.lo[axis] = box.hi[axis] = at;
     return box;
   };
-  check(
+  expect_exact_occluders(
       716, 200, 12,
       [&](Random& random) {
         ShaftInput input = grid_shaft(random, 4);
@@ -156,14 +154,14 @@ TEST(Occluded, FlatShaftsAndFlatBoxesAreAnsweredExactly) {
         }
         return box;
       });
-  check(717, 100, 12, degenerate_shaft, blocking_box);
+  expect_exact_occluders(717, 100, 12, degenerate_shaft, blocking_box);
 }
 
 TEST(Occluded, ShaftsOfEveryFamilyAreAnsweredExactly) {
   for (const Family& family : families) {
     SCOPED_TRACE(family.name);
     unsigned index = 0;
-    check(
+    expect_exact_occluders(
         718, 12, 70, [&](Random& random) { return family.shaft(random, index++ * 61); },
         [&](Random& random, const ShaftInput& input) {
           return random.one_in(3) ? family.box(random, input) : blocking_box(random, input);
@@ -173,10 +171,10 @@ TEST(Occluded, ShaftsOfEveryFamilyAreAnsweredExactly) {
 
 TEST(Occluded, EveryMagnitudeIsAnsweredExactly) {
   for (const int exponent : {-149, -140, -126, -100, 100, 121}) {
-    check(
+    expect_exact_occluders(
         719, 8, 12, [=](Random& random) { return wild_shaft(random, exponent, exponent + 6); }, blocking_box);
   }
-  check(720, 60, 20, far_sweep_shaft, blocking_box);
+  expect_exact_occluders(720, 60, 20, far_sweep_shaft, blocking_box);
 }
 
 TEST(Occluded, TheWallThatAPatchLiesOnDoesNotBlockIt) {
@@ -251,11 +249,13 @@ TEST(Occluded, AWallThatOnlyTogetherWithAnotherHidesAllIsNoOccluder) {
 TEST(Occluded, AnUnboundedBoxBlocksAndAnEmptyOneOrOneWithNaNDoesNot) {
   const ShaftInput input{{{0, 0, 0}, {2, 2, 0}}, {{5, 1, 5}, {6, 2, 6}}};
   const Box good{{-1, -1, 2}, {9, 9, 3}};
-  std::vector<Box> boxes = {good, {{-inf, -inf, 2}, {inf, inf, 3}}, {{-inf, -inf, -inf}, {inf, inf, inf}}};
+  std::vector<Box> boxes = {good,
+                            {{-infinity, -infinity, 2}, {infinity, infinity, 3}},
+                            {{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}}};
   for (const Box& box : boxes) EXPECT_TRUE(occluded(compile(input.a, input.b), box));
   for (std::size_t k = 0; k != 3; ++k) {
     for (Vec3 Box::*corner : {&Box::lo, &Box::hi}) {
-      for (const float x : {inf, -inf, nan, 2.5F}) {
+      for (const float x : {infinity, -infinity, nan, 2.5F}) {
         boxes.push_back(good);
         (boxes.back().*corner)[k] = x;
       }
@@ -263,7 +263,7 @@ TEST(Occluded, AnUnboundedBoxBlocksAndAnEmptyOneOrOneWithNaNDoesNot) {
     boxes.push_back(good);
     std::swap(boxes.back().lo[k], boxes.back().hi[k]);
   }
-  boxes.push_back({{inf, inf, inf}, {-inf, -inf, -inf}});
+  boxes.push_back({{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}});
   boxes.resize(64, good);
   expect_exact_blocking(input, boxes);
 }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -16,11 +15,10 @@
 #include "oracle/cases/families.hpp"
 #include "sanitizers.hpp"
 #include "shaftcull/occluded.hpp"
+#include "special_floats.hpp"
 
 namespace shaftcull {
 namespace {
-
-constexpr float inf = std::numeric_limits<float>::infinity();
 
 /// A convex polygon in one plane, with integer corners: a triangle, a parallelogram or a pentagon, either way round.
 std::vector<Vec3> lattice_polygon(Random& random) {
@@ -211,7 +209,7 @@ TEST(Occluded, WhatIsNoPolygonIsRefused) {
   const CompiledShaft shaft = compile(Box{{0, 0, 0}, {1, 1, 0}}, Box{{0, 0, 5}, {1, 1, 5}});
   std::vector<Vec3> polygon = {{-9, -9, 2}, {9, -9, 2}};
   EXPECT_THAT(message_of([&] { (void)occluded(shaft, polygon); }), testing::HasSubstr("polygon has 2 corners"));
-  polygon.push_back({0, inf, 2});
+  polygon.push_back({0, infinity, 2});
   EXPECT_THAT(message_of([&] { (void)occluded(shaft, polygon); }), testing::HasSubstr("polygon[2] is not finite"));
 }
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <string>
 #include <utility>
@@ -23,6 +22,7 @@
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/paper.hpp"
+#include "special_floats.hpp"
 
 namespace shaftcull {
 namespace {
@@ -183,12 +183,11 @@ TEST(CompilePair, AnswersWhatShaftAnswers) {
 }
 
 TEST(CompilePair, ABadBoxIsRefusedAsShaftRefusesIt) {
-  constexpr float inf = std::numeric_limits<float>::infinity();
   const Box good{{-1, -1, -1}, {1, 1, 1}};
   const std::vector<Plane> planes(2, Plane{{1, 2, 3}, 4});
   std::vector<Box> bad;
   for (std::size_t k = 0; k != 3; ++k) {
-    for (const float value : {std::nanf(""), inf, -inf}) {
+    for (const float value : {std::nanf(""), infinity, -infinity}) {
       bad.insert(bad.end(), {good, good});
       bad[bad.size() - 2].lo[k] = value;
       bad.back().hi[k] = value;

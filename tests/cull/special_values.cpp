@@ -14,14 +14,13 @@
 #include "oracle/random.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
+#include "special_floats.hpp"
 
 namespace shaftcull {
 namespace {
 
-constexpr float inf = std::numeric_limits<float>::infinity();
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-constexpr Box everything{{-inf, -inf, -inf}, {inf, inf, inf}};
-constexpr Box empty{{inf, inf, inf}, {-inf, -inf, -inf}};
+constexpr Box everything{{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
+constexpr Box empty{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
 
 /// Shafts of all kinds: plain, parallel faces, equal boxes, points, a flat one, with added planes.
 std::vector<ShaftInput> inputs() {
@@ -36,7 +35,7 @@ std::vector<ShaftInput> inputs() {
 TEST(SpecialValues, EverythingIsAlwaysKeptAndNeverInside) {
   for (const ShaftInput& input : inputs()) {
     expect_answers(input, {everything}, {Answer::overlap});
-    expect_answers(input, {Sphere{{0, 0, 0}, inf}}, {Answer::overlap});
+    expect_answers(input, {Sphere{{0, 0, 0}, infinity}}, {Answer::overlap});
   }
 }
 
@@ -65,8 +64,8 @@ TEST(SpecialValues, HalfInfiniteBoxesAnswerLikeUnboundedOnes) {
     for (int i = 0; i != 200; ++i) {
       Box box = random.one_in(2) ? random.grid_box(-3, 6) : random.box(-3, 6, 0, 2);
       for (std::size_t k = 0; k != 3; ++k) {
-        if (random.one_in(3)) box.lo[k] = -inf;
-        if (random.one_in(3)) box.hi[k] = inf;
+        if (random.one_in(3)) box.lo[k] = -infinity;
+        if (random.one_in(3)) box.hi[k] = infinity;
       }
       boxes.push_back(box);
     }
@@ -116,7 +115,7 @@ std::vector<Box> boxes_with_nan(Random& random) {
 std::vector<Sphere> spheres_with_nan(Random& random) {
   std::vector<Sphere> spheres;
   for (int i = 0; i != 300; ++i) {
-    Sphere sphere{random.vec3(-3, 6), random.one_in(8) ? inf : random.uniform(0, 2)};
+    Sphere sphere{random.vec3(-3, 6), random.one_in(8) ? infinity : random.uniform(0, 2)};
     const unsigned which = 1 + random.below(15);
     for (unsigned k = 0; k != 3; ++k) {
       if ((which >> k & 1U) != 0) sphere.centre[k] = random.one_in(2) ? nan : -nan;
@@ -165,10 +164,11 @@ TEST(SpecialValues, NanCoordinatesNeverCull) {
     expect_answers(input, {Sphere{{nan, nan, nan}, nan}, Sphere{{nan, nan, nan}, -nan}, Sphere{{nan, nan, nan}, 1}},
                    {Answer::overlap, Answer::overlap, Answer::overlap});
     // The other coordinates still may: these boxes are beyond the shaft box on another axis.
-    expect_answers(input, {Box{{nan, 50, 0}, {nan, 60, 1}}, Box{{nan, 0.5F, 0.5F}, {nan, 0.5F, 0.5F}}},
-                   {Answer::outside, input.added.empty()
-                                         ? answers(input, {Box{{-inf, 0.5F, 0.5F}, {inf, 0.5F, 0.5F}}}, Form::slab)[0]
-                                         : Answer::overlap});
+    expect_answers(
+        input, {Box{{nan, 50, 0}, {nan, 60, 1}}, Box{{nan, 0.5F, 0.5F}, {nan, 0.5F, 0.5F}}},
+        {Answer::outside, input.added.empty()
+                              ? answers(input, {Box{{-infinity, 0.5F, 0.5F}, {infinity, 0.5F, 0.5F}}}, Form::slab)[0]
+                              : Answer::overlap});
   }
 }
 

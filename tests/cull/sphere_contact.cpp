@@ -24,12 +24,10 @@
 #include "shaftcull/first_contact.hpp"
 #include "shaftcull/tree.hpp"
 #include "shaftcull/volumes.hpp"
+#include "special_floats.hpp"
 
 namespace shaftcull {
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 std::vector<float> times_of(const CompiledShaft& shaft, const std::vector<Sphere>& spheres) {
   std::vector<std::uint32_t> all(spheres.size());

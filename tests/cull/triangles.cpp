@@ -9,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,22 +24,20 @@
 #include "oracle/hull.hpp"
 #include "oracle/moving_hull.hpp"
 #include "oracle/triangle.hpp"
+#include "result_words.hpp"
 #include "sanitizers.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/hull.hpp"
 #include "shaftcull/many.hpp"
 #include "shaftcull/volumes.hpp"
+#include "special_floats.hpp"
 
 namespace shaftcull {
 namespace {
 
-constexpr float inf = std::numeric_limits<float>::infinity();
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr TriangleTest tests[] = {TriangleTest::vertices, TriangleTest::exact};
 
 using Bits = std::vector<std::uint64_t>;
-
-bool bit(const Bits& words, std::size_t i) { return (words[i / 64] >> i % 64 & 1U) != 0; }
 
 const char* name(TriangleTest test) { return test == TriangleTest::exact ? "triangles" : "vertices"; }
 
@@ -452,11 +449,11 @@ TEST(Triangles, CoordinatesThatAreNotFiniteAreAnsweredAsPromised) {
   };
   for (std::size_t v = 0; v != 3; ++v) {
     for (std::size_t k = 0; k != 3; ++k) {
-      for (const float x : {nan, inf, -inf}) {
+      for (const float x : {nan, infinity, -infinity}) {
         expect(with(inside, v, k, x), true, true);
         // The plane reads z alone: a vertex is not beyond it if that is not finite.
         expect(with(beyond, v, k, x), true, k == 2);
-        expect(with(apart, v, k, x), k == 0 && x == -inf, k == 0 && x == -inf);
+        expect(with(apart, v, k, x), k == 0 && x == -infinity, k == 0 && x == -infinity);
       }
     }
   }
@@ -465,11 +462,11 @@ TEST(Triangles, CoordinatesThatAreNotFiniteAreAnsweredAsPromised) {
     for (Vec3& vertex : empty.vertex) vertex[k] = nan;
     expect(empty, false, false);
     Triangle far = inside;
-    for (Vec3& vertex : far.vertex) vertex[k] = k == 1 ? -inf : inf;
+    for (Vec3& vertex : far.vertex) vertex[k] = k == 1 ? -infinity : infinity;
     expect(far, false, false);
     Triangle wide = apart;  // from one end of the axis to the other
-    wide.vertex[0][k] = -inf;
-    wide.vertex[1][k] = inf;
+    wide.vertex[0][k] = -infinity;
+    wide.vertex[1][k] = infinity;
     expect(wide, k == 0, k == 0);
   }
   const TriangleColumns memory(triangles);

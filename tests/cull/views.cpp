@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "caught.hpp"
@@ -15,16 +14,17 @@
 #include "instruction_sets.hpp"
 #include "misaligned.hpp"
 #include "oracle/random.hpp"
+#include "result_words.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/first_contact.hpp"
 #include "shaftcull/hull.hpp"
 #include "shaftcull/volumes.hpp"
+#include "special_floats.hpp"
 
 namespace shaftcull {
 namespace {
 
 constexpr std::size_t most_bounds = 200;
-constexpr std::uint64_t sentinel = 0x5e5e5e5e5e5e5e5e;
 
 const ShaftInput input{{{-2, -2, -2}, {-1, -0.5F, 0}}, {{1, 0.5F, -1}, {2, 2, 1}}};
 
@@ -41,8 +41,6 @@ std::vector<Sphere> some_spheres() {
   for (std::size_t i = 0; i != most_bounds; ++i) spheres.push_back({random.vec3(-2, 2), random.uniform(0, 0.5F)});
   return spheres;
 }
-
-bool bit(const std::vector<std::uint64_t>& words, std::size_t i) { return (words[i / 64] >> i % 64 & 1U) != 0; }
 
 /// Answers of a view must be the first `view.count` of `right`, all bits after them zero, and no word more written.
 template <class View>
@@ -223,8 +221,6 @@ TEST(Views, ASingleBoundAnswersLikeAView) {
 }
 
 TEST(Views, AnEmptyBoundIsOutsideAndOneWithNanIsNot) {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   const CompiledShaft shaft = compile(input.a, input.b);
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);

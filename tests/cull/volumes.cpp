@@ -30,6 +30,7 @@
 #include "query/bound_streams.hpp"
 #include "sanitizers.hpp"
 #include "shaftcull/many.hpp"
+#include "special_floats.hpp"
 
 namespace shaftcull {
 namespace {
@@ -261,7 +262,6 @@ TEST(Kinds, MeanWhatTheirNamesSay) {
 }
 
 TEST(Kinds, AreRefusedWhereTheyMeanNothing) {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
   const Box box{{0, 0, 0}, {1, 1, 1}};
   const Box light{{5, 0, 0}, {6, 1, 1}};
   const Box bad{{0, 0, 0}, {1, -1, 1}};
@@ -511,7 +511,6 @@ GridCase case_of_wide_shadows(Random& random) {
     box.hi[k] += by;
     input.spheres[i] = {box.lo, random.uniform(0, 0.5F)};
   }
-  constexpr float infinity = std::numeric_limits<float>::infinity();
   for (std::size_t i = 2 * 2048; i < input.boxes.size(); i += 9) {  // empty ones, in the other tiles
     input.boxes[i] = {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
     input.spheres[i].radius = -1;
@@ -586,8 +585,6 @@ TEST(Kinds, TheExtentOfATileIsThatOfAllItsBounds) {
 }
 
 TEST(Kinds, BoundsThatAreNotFiniteAreAnsweredAlikeInEveryForm) {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   const Box light{{-9, 0, 0}, {-8, 1, 1}};
   const Box body{{0, 0, 0}, {1, 1, 1}};
   const std::vector<Box> boxes{
@@ -618,7 +615,6 @@ TEST(Kinds, BoundsThatAreNotFiniteAreAnsweredAlikeInEveryForm) {
 
 /// What is met later than at the largest float: never, of a bound that ends, and in the end of one that does not.
 TEST(Kinds, BoundsThatAreMetAfterEveryFloatAreMet) {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
   const CompiledShaft shaft = swept_infinite({{0, 0, 0}, {1, 1, 1}}, {1, 1e-20F, 0});  // y = 1e30 at t = 1e50
   std::vector<Box> boxes;
   for (unsigned i = 0; i != 70; ++i) {
@@ -638,7 +634,6 @@ TEST(Kinds, BoundsThatAreMetAfterEveryFloatAreMet) {
 }
 
 TEST(Kinds, InfiniteBoxesAreNeverInside) {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
   const CompiledShaft sweep = swept_infinite({{0, 0, 0}, {1, 1, 1}}, {1, 0, 0});
   const CompiledShaft shade = shadow({{-3, -1, -1}, {-2, 1, 1}}, {{0, -9, -9}, {1, 9, 9}});
   for (const Isa isa : isas_under_test()) {

@@ -21,6 +21,7 @@
 #include "shaftcull/hull.hpp"
 #include "shaftcull/many.hpp"
 #include "shaftcull/tree.hpp"
+#include "special_floats.hpp"
 
 namespace shaftcull {
 namespace {
@@ -226,7 +227,6 @@ TEST(Hull, OfSmallPointsAndSpheresFarAwayThatReachThem) {
 }
 
 TEST(Hull, UnboundedAndEmptyBoxes) {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
   Random random(5);
   for (std::uint64_t i = 0; i != random_cases(100); ++i) {
     const HullInput input = hull_of(random, 6, [&] { return random.integer(-3, 3); });
@@ -402,7 +402,6 @@ TEST(Hull, AConservativeHullAnswersAlikeInTreesAndAmongMany) {
     const ConvexHull hull(input.points, input.directions, HullTest::conservative);
     std::vector<Box> boxes;
     for (unsigned b = 0; b != 700 + i % 7; ++b) boxes.push_back(random.box(-25, 25, 0, 6));
-    constexpr float infinity = std::numeric_limits<float>::infinity();
     boxes.push_back({{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}});
     const BoxStream stream{std::span<const Box>(boxes)};
     const BoxTree tree{std::span<const Box>(boxes)};

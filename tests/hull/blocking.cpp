@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -23,14 +22,12 @@
 #include "shaftcull/hull.hpp"
 #include "shaftcull/occluded.hpp"
 #include "shaftcull/tree.hpp"
+#include "special_floats.hpp"
 
 namespace shaftcull {
 namespace {
 
 using testing::HasSubstr;
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 using Points = std::vector<Vec3>;
 

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
 #include "columns.hpp"
+#include "hull/with_contact.hpp"
 #include "instruction_sets.hpp"
 #include "oracle/cases/hulls.hpp"
 #include "oracle/convex_hull.hpp"
@@ -21,17 +21,10 @@
 #include "shaftcull/hull.hpp"
 #include "shaftcull/many.hpp"
 #include "shaftcull/tree.hpp"
+#include "special_floats.hpp"
 
 namespace shaftcull {
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
-CompiledShaft with_contact(const ConvexHull& hull, Contact contact) {
-  CompiledShaft shaft = hull;
-  set_contact(shaft, contact);
-  return shaft;
-}
 
 /// Answers about all bounds, after checking that views of any size, one bound alone and trees agree.
 template <class Tree, class Bound>
@@ -87,7 +80,7 @@ void expect_right(const HullInput& input, const std::vector<Bound>& bounds, Hull
   }
 }
 
-void expect_exact(const HullInput& input, const std::vector<Box>& boxes) {
+void expect_exact_open(const HullInput& input, const std::vector<Box>& boxes) {
   const oracle::OpenHull oracle(input);
   std::vector<Answer> right;
   for (const Box& box : boxes) right.push_back(oracle.answer(box));
@@ -105,7 +98,7 @@ void expect_exact(const HullInput& input, const std::vector<Box>& boxes) {
   });
 }
 
-void expect_sound(const HullInput& input, const std::vector<Sphere>& spheres) {
+void expect_sound_open(const HullInput& input, const std::vector<Sphere>& spheres) {
   const oracle::OpenConvexHull oracle(input);
   std::vector<Answer> right;
   expect_right<SphereTree>(input, spheres, HullTest::exact, [&](std::size_t i, Answer found) {
@@ -134,7 +127,7 @@ TEST(HullContact, OnAGridBoxesThatTouchAreOutsideAndFlatOnesWhereTheyMeetAreNot)
     }
     std::vector<Box> boxes;
     for (unsigned b = 0; b != 24; ++b) boxes.push_back(random.grid_box(-side - 1, side + 1));
-    expect_exact(input, boxes);
+    expect_exact_open(input, boxes);
     if (HasFatalFailure()) return;
     const oracle::OpenHull open(input);
     const oracle::ConvexHull closed(input);
@@ -158,7 +151,7 @@ TEST(HullContact, BoxesOfEveryFamilyAreAnsweredExactly) {
       while (boxes.size() != 6) boxes.push_back(family.box(random, input));
       const Vec3& p = input.points[random.below(static_cast<unsigned>(input.points.size()))];
       boxes.push_back({p, p});
-      expect_exact(input, boxes);
+      expect_exact_open(input, boxes);
       if (HasFatalFailure()) return;
     }
   }
@@ -177,7 +170,7 @@ TEST(HullContact, UnboundedAndEmptyBoxes) {
       }
       boxes.push_back(box);
     }
-    expect_exact(input, boxes);
+    expect_exact_open(input, boxes);
     if (HasFatalFailure()) return;
   }
 }
@@ -194,7 +187,7 @@ TEST(HullContact, SpheresThatTouchTheHullsBoxAreOutside) {
                                          : Sphere{centre, random.integer(0, 3)});
     }
     spheres.push_back({input.points[0], 0});
-    expect_sound(input, spheres);
+    expect_sound_open(input, spheres);
     if (HasFatalFailure()) return;
   }
 }
@@ -208,7 +201,7 @@ TEST(HullContact, SpheresOfEveryFamilyThatMeetAreKept) {
       const oracle::ConvexHull hull(input);
       std::vector<Sphere> spheres;
       while (spheres.size() != 20) spheres.push_back(family.sphere(random, input, hull));
-      expect_sound(input, spheres);
+      expect_sound_open(input, spheres);
       if (HasFatalFailure()) return;
     }
   }

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <memory>
 #include <span>
 #include <type_traits>
@@ -18,14 +17,12 @@
 #include "shaftcull/error.hpp"
 #include "shaftcull/geometry.hpp"
 #include "shaftcull/hull.hpp"
+#include "special_floats.hpp"
 
 namespace shaftcull {
 namespace {
 
 using testing::HasSubstr;
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 const std::vector<Vec3> tetrahedron = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}};
 

@@ -8,10 +8,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "columns.hpp"
+#include "hull/with_contact.hpp"
 #include "instruction_sets.hpp"
 #include "oracle/cases/hulls.hpp"
 #include "oracle/convex_hull.hpp"
@@ -19,23 +19,17 @@
 #include "oracle/random.hpp"
 #include "oracle/shaft_input.hpp"
 #include "oracle/triangle.hpp"
+#include "result_words.hpp"
 #include "sanitizers.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/hull.hpp"
 #include "shaftcull/triangles.hpp"
+#include "special_floats.hpp"
 
 namespace shaftcull {
 namespace {
 
 using Bits = std::vector<std::uint64_t>;
-
-bool bit(const Bits& words, std::size_t i) { return (words[i / 64] >> i % 64 & 1U) != 0; }
-
-CompiledShaft with_contact(const ConvexHull& hull, Contact contact) {
-  CompiledShaft shaft = hull;
-  set_contact(shaft, contact);
-  return shaft;
-}
 
 struct Right {
   bool is_outside;
@@ -309,8 +303,6 @@ TEST(HullTriangles, AWallThatHasNoVertexInTheShaftIsKeptWhereItCrossesIt) {
 }
 
 TEST(HullTriangles, WithoutFiniteVerticesAreAnsweredByVertices) {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   const ConvexHull hull(std::vector<Vec3>{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}});
   const std::vector<Triangle> triangles = {{{{{1, 1, 1}, {9, 9, nan}, {9, 9, 9}}}},
                                            {{{{9, 9, 9}, {9, 9, infinity}, {-9, 9, 9}}}},

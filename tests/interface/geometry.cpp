@@ -9,28 +9,27 @@
 #include <cfenv>
 #include <cfloat>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "message_of.hpp"
 #include "oracle/random.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
+#include "special_floats.hpp"
 
 namespace shaftcull {
 namespace {
 
 using testing::HasSubstr;
 
-constexpr float inf = std::numeric_limits<float>::infinity();
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-const Box empty{{inf, inf, inf}, {-inf, -inf, -inf}};
+const Box empty{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
 
-float next_up(float x) { return std::nextafter(x, inf); }
-float next_down(float x) { return std::nextafter(x, -inf); }
+float next_up(float x) { return std::nextafter(x, infinity); }
+float next_down(float x) { return std::nextafter(x, -infinity); }
 
 TEST(BoxAround, IsTheSmallestBoxOfThePoints) {
-  EXPECT_EQ(box_around(std::vector<Vec3>{{1, 5, -3}, {-2, 4, 0}, {0, 6, -inf}}), (Box{{-2, 4, -inf}, {1, 6, 0}}));
+  EXPECT_EQ(box_around(std::vector<Vec3>{{1, 5, -3}, {-2, 4, 0}, {0, 6, -infinity}}),
+            (Box{{-2, 4, -infinity}, {1, 6, 0}}));
   EXPECT_EQ(box_around(std::vector<Vec3>{{1, 2, 3}}), (Box{{1, 2, 3}, {1, 2, 3}}));
   EXPECT_EQ(box_around({}), empty);
 }
@@ -90,14 +89,17 @@ TEST(Translated, RoundsOutwardsHoweverSmallTheRest) {
 }
 
 TEST(Translated, StaysWithinFloats) {
-  const Box moved = translated({{-FLT_MAX, 0, -inf}, {FLT_MAX, 0, inf}}, {FLT_MAX, 0, 5});
-  EXPECT_EQ(moved, (Box{{0, 0, -inf}, {inf, 0, inf}}));
+  const Box moved = translated({{-FLT_MAX, 0, -infinity}, {FLT_MAX, 0, infinity}}, {FLT_MAX, 0, 5});
+  EXPECT_EQ(moved, (Box{{0, 0, -infinity}, {infinity, 0, infinity}}));
   EXPECT_EQ(translated({{FLT_MAX, 0, 0}, {FLT_MAX, 0, 0}}, {FLT_MAX, 0, 0}).lo[0], FLT_MAX);
   EXPECT_EQ(translated(empty, {1, 2, 3}), empty);
 }
 
 TEST(Translated, RefusesAMoveThatIsNotFinite) {
-  EXPECT_THAT(message_of([] { (void)translated({}, {0, inf, 0}); }), HasSubstr("translated: by.y = inf is not finite"));
+  EXPECT_THAT(message_of([] {
+                (void)translated({}, {0, infinity, 0});
+              }),
+              HasSubstr("translated: by.y = inf is not finite"));
   EXPECT_THAT(message_of([] { (void)translated({}, {0, 0, nan}); }), HasSubstr("by.z = nan"));
 }
 
@@ -120,7 +122,7 @@ TEST(Inflated, MovesEveryFaceOutAndRoundsOutwards) {
 
 TEST(Inflated, RefusesADistanceThatIsNegativeOrNotFinite) {
   EXPECT_THAT(message_of([] { (void)inflated({}, -1); }), HasSubstr("inflated: by = -1 is negative"));
-  EXPECT_THAT(message_of([] { (void)inflated({}, inf); }), HasSubstr("by = inf is not finite"));
+  EXPECT_THAT(message_of([] { (void)inflated({}, infinity); }), HasSubstr("by = inf is not finite"));
   EXPECT_THAT(message_of([] { (void)inflated({}, nan); }), HasSubstr("by = nan is not finite"));
 }
 

@@ -21,7 +21,7 @@ namespace {
 
 /// The rows of the README's table, which the assertions below go through: the question, then the verbs of one shaft and
 /// of many.
-constexpr std::array<std::array<const char*, 3>, 12> table = {{
+constexpr std::array<std::array<const char*, 3>, 12> verbs = {{
     {"which are kept: bits", "cull", "cull_many"},
     {"which are kept, which are inside: bits of both", "classify", "classify_many"},
     {"how many are kept", "count", "count_many"},
@@ -184,7 +184,7 @@ TEST(Verbs, AreThoseOfTheTableInTheReadme) {
   const std::string readme = text_of(SHAFTCULL_README);
   ASSERT_FALSE(readme.empty()) << "cannot read " << SHAFTCULL_README;
   std::string rows = "| question | one shaft | many shafts |\n|---|---|---|\n";
-  for (const auto& row : table) rows += row_text(row) + "\n";
+  for (const auto& row : verbs) rows += row_text(row) + "\n";
   EXPECT_NE(readme.find(rows + "\n"), std::string::npos) << "the README lacks the table\n" << rows;
 }
 

@@ -14,12 +14,11 @@
 #include "forms.hpp"
 #include "guarded_floats.hpp"
 #include "many/workload.hpp"
+#include "result_words.hpp"
 #include "shaftcull/cull.hpp"
 
 namespace shaftcull {
 namespace {
-
-constexpr std::uint64_t sentinel = 0x5e5e5e5e5e5e5e5e;
 
 /// More than two of the largest chunks, and no whole word at the end.
 constexpr std::size_t many_bounds = 40001;

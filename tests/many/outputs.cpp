@@ -14,6 +14,7 @@
 #include "forms.hpp"
 #include "many/workload.hpp"
 #include "misaligned.hpp"
+#include "result_words.hpp"
 #include "shaftcull/first_contact.hpp"
 #include "shaftcull/many.hpp"
 #include "shaftcull/tree.hpp"
@@ -21,21 +22,18 @@
 namespace shaftcull {
 namespace {
 
-constexpr std::uint64_t sentinel = 0x5e5e5e5e5e5e5e5e;
-constexpr KeptCounts untouched_counts{SIZE_MAX / 3, SIZE_MAX / 3};
-
 /// Counts of bounds on either side of words, of tiles and of blocks of tiles.
-constexpr std::size_t bound_counts[] = {0, 1, 63, 64, 65, 1023, 1024, 1025, 2047, 2048, 2049, 2560, 2561, 5000};
-constexpr std::size_t shaft_counts[] = {0, 1, 63, 64, 65, 200};
+constexpr std::size_t few_bound_counts[] = {0, 1, 63, 64, 65, 1023, 1024, 1025, 2047, 2048, 2049, 2560, 2561, 5000};
+constexpr std::size_t few_shaft_counts[] = {0, 1, 63, 64, 65, 200};
 
 /// Calls check(shafts, view, expected) for every count of shafts and of bounds, on every number of threads.
 template <class Columns, class Check>
 void for_all_sizes(const Columns& memory, const Check& check) {
   const std::vector<CompiledShaft> most_shafts = random_shafts(81, 200);
-  for (const std::size_t shaft_count : shaft_counts) {
+  for (const std::size_t shaft_count : few_shaft_counts) {
     const std::vector<CompiledShaft> shafts(most_shafts.begin(),
                                             most_shafts.begin() + static_cast<std::ptrdiff_t>(shaft_count));
-    for (const std::size_t bound_count : bound_counts) {
+    for (const std::size_t bound_count : few_bound_counts) {
       // Many of both say nothing more than many of each, and take long under a sanitizer.
       if (shaft_count > 65 && bound_count > 65 && bound_count != 2049) continue;
       const auto view = memory.view().slice(0, bound_count);

@@ -18,6 +18,7 @@
 #include "instruction_sets.hpp"
 #include "many/workload.hpp"
 #include "oracle/random.hpp"
+#include "result_words.hpp"
 #include "sanitizers.hpp"
 #include "shaftcull/many.hpp"
 
@@ -29,8 +30,6 @@ constexpr std::size_t most_bounds = 8193;
 constexpr std::size_t shaft_counts[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 63, 64, 65};
 constexpr std::size_t most_shafts = 65;
 constexpr std::size_t special_shafts[] = {0, 1, 2, 3, 4, 64};  // see mixed_shafts()
-constexpr std::uint64_t sentinel = 0x5e5e5e5e5e5e5e5e;
-constexpr KeptCounts untouched_counts{SIZE_MAX / 3, SIZE_MAX / 3};
 
 /// 0 to 200, or every seventh of them where a sanitizer makes each slow, and around every power of two up to 8,192.
 std::vector<std::size_t> bound_counts() {

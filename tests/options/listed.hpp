@@ -14,11 +14,10 @@
 
 #include "options/scenes.hpp"
 #include "oracle/random.hpp"
+#include "result_words.hpp"
 #include "shaftcull/results.hpp"
 
 namespace shaftcull {
-
-inline constexpr std::uint64_t sentinel = 0x5e5e5e5e5e5e5e5e;
 
 /// Room for none of the results, for some, for all and for more; of many results, for two of these only.
 inline std::vector<std::size_t> rooms_for(Random& random, std::size_t results) {

@@ -17,6 +17,7 @@
 #include "columns.hpp"
 #include "oracle/random.hpp"
 #include "shaftcull/shaftcull.hpp"
+#include "special_floats.hpp"
 
 namespace shaftcull {
 
@@ -28,7 +29,6 @@ Bound bound_of(Random& random);
 
 template <>
 inline Box bound_of<Box>(Random& random) {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
   switch (random.below(16)) {
     case 0:
       return random.grid_box(-5, 5);

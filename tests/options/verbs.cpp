@@ -17,6 +17,7 @@
 #include "options/scenes.hpp"
 #include "options/truth.hpp"
 #include "oracle/random.hpp"
+#include "result_words.hpp"
 #include "sanitizers.hpp"
 #include "shaftcull/shaftcull.hpp"
 

@@ -12,14 +12,13 @@
 #include "caught.hpp"
 #include "message_of.hpp"
 #include "shaftcull/streams.hpp"
+#include "special_floats.hpp"
 
 namespace shaftcull {
 namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
-
-constexpr float inf = INFINITY;
 
 /// Records in which all but one are legal, packed into a stream of 300 bounds.
 template <class Stream, class Bound>
@@ -70,11 +69,12 @@ TEST_F(BoxErrors, NameTheValuesOfLoAboveHi) {
 }
 
 TEST_F(BoxErrors, AreThrownForBoxesEmptyOnSomeAxesOnly) {
-  packing.expect_refused({{inf, inf, 0}, {-inf, -inf, 1}}, "box", HasSubstr("lo.x = inf is above hi.x = -inf"));
+  packing.expect_refused({{infinity, infinity, 0}, {-infinity, -infinity, 1}}, "box",
+                         HasSubstr("lo.x = inf is above hi.x = -inf"));
 }
 
 TEST_F(BoxErrors, AreThrownBehindEmptyBoxesToo) {
-  packing.set_other({{inf, inf, inf}, {-inf, -inf, -inf}});
+  packing.set_other({{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}});
   packing.expect_refused({{0, 0, 1}, {1, 1, 0.5F}}, "box", HasSubstr("lo.z = 1 is above hi.z = 0.5"));
 }
 
@@ -94,7 +94,7 @@ TEST_F(SphereErrors, NameANegativeRadius) {
 }
 
 TEST_F(SphereErrors, NameAnInfiniteCentre) {
-  packing.expect_refused({{0, 0, -inf}, 1}, "sphere", HasSubstr("centre.z = -inf is not finite"));
+  packing.expect_refused({{0, 0, -infinity}, 1}, "sphere", HasSubstr("centre.z = -inf is not finite"));
 }
 
 using Record = std::array<float, 6>;
@@ -120,8 +120,9 @@ TEST(CentreExtentErrors, SayWhatIsWrongWithTheRecord) {
   EXPECT_THAT(centre_extent_fault({NAN, 0, 0, 1, 1, 1}), HasSubstr("box 2: centre.x is not a number"));
   EXPECT_THAT(centre_extent_fault({0, 0, 0, 1, NAN, 1}), HasSubstr("box 2: half_extent.y is not a number"));
   EXPECT_THAT(centre_extent_fault({0, 0, 0, 1, 1, -2.5F}), HasSubstr("box 2: half_extent.z = -2.5 is negative"));
-  EXPECT_THAT(centre_extent_fault({0, 0, 0, 1, -inf, 1}), HasSubstr("box 2: half_extent.y = -inf is negative"));
-  EXPECT_THAT(centre_extent_fault({0, inf, 0, 1, inf, 1}), HasSubstr("box 2: centre.y = inf and half_extent.y = inf"));
+  EXPECT_THAT(centre_extent_fault({0, 0, 0, 1, -infinity, 1}), HasSubstr("box 2: half_extent.y = -inf is negative"));
+  EXPECT_THAT(centre_extent_fault({0, infinity, 0, 1, infinity, 1}),
+              HasSubstr("box 2: centre.y = inf and half_extent.y = inf"));
 }
 
 TEST(UpdateErrors, NameTheRangeAndTheSize) {

@@ -16,6 +16,7 @@
 #include "caught.hpp"
 #include "oracle/random.hpp"
 #include "shaftcull/streams.hpp"
+#include "special_floats.hpp"
 
 namespace shaftcull {
 namespace {
@@ -41,8 +42,7 @@ auto bounds_in(const Stream& stream) {
   return bounds;
 }
 
-constexpr float inf = INFINITY;
-const Box empty{{inf, inf, inf}, {-inf, -inf, -inf}};
+const Box empty{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
 
 TEST(BoxStream, HoldsWhatWasPackedForEveryCount) {
   for (std::size_t count = 0; count <= 200; ++count) {
@@ -153,9 +153,9 @@ TEST(BoxStream, RoundsCornersOfCentreAndHalfExtentOutwardsByNoMoreThanItMust) {
       const long double lo = static_cast<long double>(record[k]) - static_cast<long double>(record[k + 3]);
       const long double hi = static_cast<long double>(record[k]) + static_cast<long double>(record[k + 3]);
       EXPECT_LE(box.lo[k], lo) << "seed 17, box " << i << ", axis " << k;
-      EXPECT_GT(std::nextafter(box.lo[k], inf), lo) << "seed 17, box " << i << ", axis " << k;
+      EXPECT_GT(std::nextafter(box.lo[k], infinity), lo) << "seed 17, box " << i << ", axis " << k;
       EXPECT_GE(box.hi[k], hi) << "seed 17, box " << i << ", axis " << k;
-      EXPECT_LT(std::nextafter(box.hi[k], -inf), hi) << "seed 17, box " << i << ", axis " << k;
+      EXPECT_LT(std::nextafter(box.hi[k], -infinity), hi) << "seed 17, box " << i << ", axis " << k;
     }
   }
 }
@@ -177,9 +177,9 @@ TEST(BoxStream, RoundsCornersOutwardsAtTheEndsOfFloatsToo) {
       const long double lo = static_cast<long double>(records[i][k]) - static_cast<long double>(records[i][k + 3]);
       const long double hi = static_cast<long double>(records[i][k]) + static_cast<long double>(records[i][k + 3]);
       EXPECT_LE(boxes[i].lo[k], lo) << "box " << i << ", axis " << k;
-      EXPECT_GT(std::nextafter(boxes[i].lo[k], inf), lo) << "box " << i << ", axis " << k;
+      EXPECT_GT(std::nextafter(boxes[i].lo[k], infinity), lo) << "box " << i << ", axis " << k;
       EXPECT_GE(boxes[i].hi[k], hi) << "box " << i << ", axis " << k;
-      EXPECT_LT(std::nextafter(boxes[i].hi[k], -inf), hi) << "box " << i << ", axis " << k;
+      EXPECT_LT(std::nextafter(boxes[i].hi[k], -infinity), hi) << "box " << i << ", axis " << k;
     }
   }
 }
@@ -204,22 +204,23 @@ TEST(BoxStream, RoundsOutwardsWhereEvenADoubleCannotHoldTheCorner) {
   const std::array<float, 6> record = {1, -1, FLT_MAX, 0x1p-149F, 0x1p-100F, 0x1p-149F};
   const Box box = BoxStream(StridedCentreExtents{record.data(), record.data() + 3, sizeof record, 1})[0];
   EXPECT_EQ(box.lo, (Vec3{std::nextafter(1.0F, 0.0F), std::nextafter(-1.0F, -2.0F), std::nextafter(FLT_MAX, 0.0F)}));
-  EXPECT_EQ(box.hi, (Vec3{std::nextafter(1.0F, 2.0F), std::nextafter(-1.0F, 0.0F), inf}));
+  EXPECT_EQ(box.hi, (Vec3{std::nextafter(1.0F, 2.0F), std::nextafter(-1.0F, 0.0F), infinity}));
 }
 
 TEST(BoxStream, TakesAnInfiniteHalfExtentForEverything) {
-  const std::array<float, 6> record = {1, -FLT_MAX, 0, inf, inf, inf};
+  const std::array<float, 6> record = {1, -FLT_MAX, 0, infinity, infinity, infinity};
   const Box box = BoxStream(StridedCentreExtents{record.data(), record.data() + 3, sizeof record, 1})[0];
-  EXPECT_EQ(box, (Box{{-inf, -inf, -inf}, {inf, inf, inf}}));
+  EXPECT_EQ(box, (Box{{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}}));
 }
 
 TEST(BoxStream, TakesInfiniteAndEmptyBoxes) {
-  const std::vector<Box> boxes = {{{-inf, 0, -inf}, {inf, 1, 3}}, empty, {{inf, 0, 0}, {inf, 1, 1}}};
+  const std::vector<Box> boxes = {
+      {{-infinity, 0, -infinity}, {infinity, 1, 3}}, empty, {{infinity, 0, 0}, {infinity, 1, 1}}};
   EXPECT_EQ(bounds_in(BoxStream(boxes)), boxes);
 }
 
 TEST(SphereStream, TakesAnInfiniteRadius) {
-  const std::vector<Sphere> spheres = {{{1, 2, 3}, inf}};
+  const std::vector<Sphere> spheres = {{{1, 2, 3}, infinity}};
   EXPECT_EQ(bounds_in(SphereStream(spheres)), spheres);
 }
 

@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <cstring>
-#include <limits>
 #include <set>
 #include <utility>
 #include <vector>
@@ -15,13 +14,12 @@
 #include "message_of.hpp"
 #include "oracle/cases/triangles.hpp"
 #include "shaftcull/triangles.hpp"
+#include "special_floats.hpp"
 
 namespace shaftcull {
 namespace {
 
 using testing::HasSubstr;
-
-constexpr float inf = std::numeric_limits<float>::infinity();
 
 std::vector<Triangle> some_triangles(std::size_t count) {
   Random random(850);
@@ -114,7 +112,7 @@ TEST(TriangleStreams, RefuseWhatTheyCannotPack) {
   const std::vector<Triangle> triangles = some_triangles(10);
   TriangleStream stream{std::span<const Triangle>(triangles)};
   std::vector<Triangle> bad = triangles;
-  bad[7].vertex[1][2] = inf;
+  bad[7].vertex[1][2] = infinity;
   const auto error = caught<BadBound>([&] { stream.update(0, bad); });
   ASSERT_TRUE(error);
   EXPECT_EQ(error->index(), 7U);

@@ -12,6 +12,7 @@
 #include "shaftcull/cull.hpp"
 #include "shaftcull/many.hpp"
 #include "shaftcull/tree.hpp"
+#include "tree/counted_words.hpp"
 #include "tree/flat.hpp"
 #include "tree/scenes.hpp"
 #include "tree/tree_access.hpp"
@@ -20,22 +21,10 @@
 namespace shaftcull {
 namespace {
 
-std::size_t words_tested = 0;
-kernel::TestListedWords* real_test = nullptr;
-
-void count_words(const kernel::ShaftData& shaft, const float* const* stream, const std::uint32_t* word,
-                 std::size_t words, std::uint64_t* kept, std::uint64_t* inside, unsigned least_kept) noexcept {
-  words_tested += words;
-  real_test(shaft, stream, word, words, kept, inside, least_kept);
-}
-
 /// Words of leaves and nodes that a walk with this visitor tests.
 template <class Visitor>
 std::size_t words_tested_by(Visitor& visitor, const BoxTree& tree, const CompiledShaft& shaft) {
-  kernel::Kernels kernels = kernel::active_kernels();
-  real_test = kernels.listed_boxes;
-  kernels.listed_boxes = count_words;
-  words_tested = 0;
+  const kernel::Kernels kernels = counting_kernels();
   walk(*TreeAccess::parts(tree), kernels, shaft, kernel::Question::kept, visitor);
   return words_tested;
 }

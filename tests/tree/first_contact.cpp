@@ -200,14 +200,14 @@ TYPED_TEST(TreeFirstContact, IsThatOfAFlatScanWithoutThousandsThatOverlapTheStar
   this->expect_flat(tree, bounds, shafts, {.skip_overlapping = true});
 }
 
-std::size_t words_tested = 0;
+std::size_t contact_words_tested = 0;
 kernel::TestListedWords* test_boxes = nullptr;
 kernel::TestListedWords* test_spheres = nullptr;
 
 template <kernel::TestListedWords*& real_test>
 void count_words(const kernel::ShaftData& shaft, const float* const* stream, const std::uint32_t* word,
                  std::size_t words, std::uint64_t* kept, std::uint64_t* inside, unsigned least_kept) noexcept {
-  words_tested += words;
+  contact_words_tested += words;
   real_test(shaft, stream, word, words, kept, inside, least_kept);
 }
 
@@ -224,14 +224,14 @@ Tested words_tested_by(const CompiledShaft& shaft, const BoundsTree<Bound>& tree
   test_spheres = kernels.listed_spheres;
   kernels.listed_boxes = count_words<test_boxes>;
   kernels.listed_spheres = count_words<test_spheres>;
-  words_tested = 0;
+  contact_words_tested = 0;
   const kernel::Exclusion nothing({parts.order, false, kernels}, {}, {});
   (void)kernel::FirstContactWalk<Bound>(parts, kernels, kernel::data_of(shaft), nothing, skips_overlapping).run();
-  const std::size_t first = words_tested;
-  words_tested = 0;
+  const std::size_t first = contact_words_tested;
+  contact_words_tested = 0;
   kernel::Counter counter(kernels);
   walk(parts, kernels, shaft, kernel::Question::kept, counter);
-  return {first, words_tested};
+  return {first, contact_words_tested};
 }
 
 template <class Bound>

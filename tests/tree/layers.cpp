@@ -16,6 +16,7 @@
 #include "shaftcull/cull.hpp"
 #include "shaftcull/many.hpp"
 #include "shaftcull/tree.hpp"
+#include "tree/counted_words.hpp"
 #include "tree/flat.hpp"
 #include "tree/scenes.hpp"
 #include "tree/tree_access.hpp"
@@ -348,15 +349,6 @@ TYPED_TEST(TreeLayers, AreRefusedWhereTheyDoNotFit) {
   EXPECT_EQ(count(shafts[0], TypeParam(), {.layer_mask = {1}}), 0U) << "an empty tree needs no layers";
 }
 
-std::size_t words_tested = 0;
-kernel::TestListedWords* real_test = nullptr;
-
-void count_words(const kernel::ShaftData& shaft, const float* const* stream, const std::uint32_t* word,
-                 std::size_t words, std::uint64_t* kept, std::uint64_t* inside, unsigned least_kept) noexcept {
-  words_tested += words;
-  real_test(shaft, stream, word, words, kept, inside, least_kept);
-}
-
 TEST(TreeLayerWalk, PassesOverNodesOfOtherLayers) {
   Random random(708);
   const std::vector<Box> boxes = scene<Box>(random, Shape::uniform, 100000);
@@ -366,9 +358,7 @@ TEST(TreeLayerWalk, PassesOverNodesOfOtherLayers) {
   tree.set_layers(layers);
   const CompiledShaft shaft = compile({{-6, -6, 0}, {6, 6, 0.01F}}, {{-6, -6, 0}, {6, 6, 0.01F}});
   const kernel::TreeParts<Box>& parts = *TreeAccess::parts(tree);
-  kernel::Kernels kernels = kernel::active_kernels();
-  real_test = kernels.listed_boxes;
-  kernels.listed_boxes = count_words;
+  const kernel::Kernels kernels = counting_kernels();
   const auto words_for_layers = [&](std::uint32_t mask) {
     words_tested = 0;
     kernel::Counter counter(kernels);

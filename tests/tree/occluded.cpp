@@ -23,17 +23,17 @@ namespace {
 
 using testing::HasSubstr;
 
-std::size_t words_tested = 0;
+std::size_t occluder_words_tested = 0;
 kernel::OcclusionKernels real{};
 
 void count_leaves(const kernel::ShaftData& shaft, const float* const* stream, const std::uint32_t* word,
                   std::size_t words, std::uint64_t* blocking, std::uint64_t* inside, unsigned least) noexcept {
-  words_tested += words;
+  occluder_words_tested += words;
   real.listed_boxes(shaft, stream, word, words, blocking, inside, least);
 }
 void count_nodes(const kernel::ShaftData& shaft, const float* const* stream, const std::uint32_t* word,
                  std::size_t words, std::uint64_t* blocking, std::uint64_t* inside, unsigned least) noexcept {
-  words_tested += words;
+  occluder_words_tested += words;
   real.listed_nodes(shaft, stream, word, words, blocking, inside, least);
 }
 
@@ -43,10 +43,10 @@ std::size_t words_tested_for(const BoxTree& tree, const CompiledShaft& shaft) {
   real = kernels.blocking;
   kernels.blocking.listed_boxes = count_leaves;
   kernels.blocking.listed_nodes = count_nodes;
-  words_tested = 0;
+  occluder_words_tested = 0;
   kernel::Finder finder;
   walk(*TreeAccess::parts(tree), kernels, shaft, kernel::Question::blocking, finder);
-  return words_tested;
+  return occluder_words_tested;
 }
 
 /// Some of the boxes large, so that some block.

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -13,10 +12,10 @@
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/streams.hpp"
 #include "shaftcull/volumes.hpp"
+#include "special_floats.hpp"
 
 namespace shaftcull {
 
-inline constexpr float infinity = std::numeric_limits<float>::infinity();
 inline constexpr Box empty_box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
 
 /// Arrangements of bounds.

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,14 +14,13 @@
 #include "columns.hpp"
 #include "message_of.hpp"
 #include "shaftcull/shaftcull.hpp"
+#include "special_floats.hpp"
 
 namespace shaftcull {
 namespace {
 
 using testing::HasSubstr;
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr Box unit{{0, 0, 0}, {1, 1, 1}};
 
 template <class T>

@@ -20,6 +20,7 @@
 #include "sanitizers.hpp"
 #include "shaftcull/geometry.hpp"
 #include "solid_between_patches.hpp"
+#include "visibility/box_row.hpp"
 #include "visibility/own_faces.hpp"
 #include "visibility/patch_tree.hpp"
 #include "visibility/solid_bounds.hpp"
@@ -31,8 +32,6 @@ using kernel::BoxRow;
 using kernel::HullCone;
 using kernel::HullMesh;
 using kernel::most_siblings;
-
-BoxRow row_of(const Box& box) { return {{box.lo[0], box.lo[1], box.lo[2], box.hi[0], box.hi[1], box.hi[2], 0, 0}}; }
 
 std::uint64_t meeting(const SolidBetweenPatches& of, const kernel::SolidBounds& bounds, const CornersInLanes& lanes,
                       std::uint64_t asked) {

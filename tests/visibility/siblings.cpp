@@ -17,6 +17,7 @@
 #include "oracle/sight.hpp"
 #include "oracle/sight_scene.hpp"
 #include "sanitizers.hpp"
+#include "visibility/box_row.hpp"
 
 namespace shaftcull {
 namespace {
@@ -27,8 +28,6 @@ using kernel::PlaneRow;
 using kernel::PlaneStreams;
 using kernel::SiblingKernels;
 using kernel::Siblings;
-
-BoxRow row_of(const Box& box) { return {{box.lo[0], box.lo[1], box.lo[2], box.hi[0], box.hi[1], box.hi[2], 0, 0}}; }
 
 /// Boxes in six streams that can be read to the end of a vector.
 class Streams {
