@@ -7,8 +7,8 @@
 All faults of faults.txt are planted at once, in build/mutate/source. Which of them is there is chosen at run time, by
 the environment variable SHAFTCULL_PLANTED_FAULT, so all are built once. Tests are the entries of CTest of one layer
 (tests/layers.cmake), without those with the label `sources`, which do not run the library. For each fault, entries run
-until one fails: first those whose area is a folder in the path of the fault, then the others. Of both, those are first
-that have noticed most for their time.
+until one fails, those of GoogleTest a test at a time: first those whose area is a folder in the path of the fault, then
+the others. Of both, those are first that have noticed most for their time.
 
 What is found is written to build/mutate/PRESET/noticed_LAYER.csv, fault by fault. The exit status is 0 if at most --may-miss
 faults are not noticed, 1 if more are, and 2 if there was nothing to find out.
@@ -19,6 +19,7 @@ import argparse
 import collections
 import concurrent.futures
 import csv
+import dataclasses
 import fnmatch
 import hashlib
 import json
@@ -63,7 +64,9 @@ NOT_OF_THE_LIBRARY = "sources"  # label of entries that do not run what is built
 USUAL_TIMEOUT = 1500.0  # of CTest, in seconds
 LEAST_TIMEOUT = 60.0
 SLOWER = 20  # so many times its own time an entry may take with a fault
+LEAST_SECONDS = 0.05  # of any test, its program's start included
 KEPT_OUTPUT = 8 << 20  # bytes of an entry's output
+SHARDING = ("GTEST_TOTAL_SHARDS", "GTEST_SHARD_INDEX")
 
 COLUMNS = ["kind", "name", "file", "entry", "test", "seconds", "how", "text"]
 
@@ -274,7 +277,7 @@ class Entry:
     @property
     def price(self) -> float:
         """In seconds for a fault that is noticed, as far as is known."""
-        return max(self.seconds, 0.5) / (1 + self.noticed)
+        return max(self.seconds, LEAST_SECONDS) / (1 + self.noticed)
 
     # Scripts may write files of their own to a folder that they are given: they are not run twice at once.
     alone: threading.Lock = field(default_factory=threading.Lock)
@@ -374,7 +377,7 @@ class Runner:
         with tempfile.TemporaryDirectory(prefix="shaftcull-mutate-") as own:
             environment = {**os.environ, **entry.environment, CHOICE: str(fault), "TMPDIR": own}
             if "-P" not in entry.command:  # scripts of CMake run tests in their own way
-                environment.update(GTEST_FAIL_FAST="1", GTEST_BRIEF="1")
+                environment.update(GTEST_FAIL_FAST="1")
             begin = time.monotonic()
             try:
                 process = self._start(entry, environment)
@@ -456,8 +459,22 @@ def classified(entry: Entry, code: int, is_late: bool, output: str, seconds: flo
     return failed("crash" if SANITIZER.search(output) else "wrong answer")
 
 
+PASSED_TEST = re.compile(r"^\[       OK \] (\S+[.]\S+) \((\d+) ms\)$", re.MULTILINE)
+
+
+def tests_of(entry: Entry, output: str) -> list[Entry]:
+    """The entry once for each test of GoogleTest that it ran; itself if it ran none."""
+    kept = {name: value for name, value in entry.environment.items() if name not in SHARDING}
+    return [
+        dataclasses.replace(
+            entry, environment={**kept, "GTEST_FILTER": name}, seconds=int(milliseconds) / 1000, alone=threading.Lock()
+        )
+        for name, milliseconds in (() if entry.is_script else PASSED_TEST.findall(output))
+    ] or [entry]
+
+
 def run_without_fault(runner: Runner, entries: Sequence[Entry], jobs: int) -> list[Entry]:
-    """Those entries that pass."""
+    """Those entries that pass, as tests_of() has them."""
     usable: list[Entry] = []
     left_out: list[str] = []
 
@@ -472,7 +489,7 @@ def run_without_fault(runner: Runner, entries: Sequence[Entry], jobs: int) -> li
             for entry, outcome in zip(entries, pool.map(run, entries)):
                 entry.seconds = outcome.seconds
                 if outcome.result == "passed":
-                    usable.append(entry)
+                    usable.extend(tests_of(entry, outcome.output))
                     continue
                 end = outcome.output.strip().splitlines()[-1:] or [""]
                 what = outcome.how if outcome.result == "failed" else outcome.result
@@ -485,7 +502,7 @@ def run_without_fault(runner: Runner, entries: Sequence[Entry], jobs: int) -> li
     if not usable:
         raise Refusal("no entry passes without a fault")
     total = sum(entry.seconds for entry in usable)
-    print(f"{len(usable)} entries pass, in {total:.0f} s one after the other", flush=True)
+    print(f"{len(usable)} tests pass, in {total:.0f} s one after the other", flush=True)
     return usable
 
 
