@@ -27,7 +27,7 @@ struct SolidBetweenPatches {
     constexpr float factors[] = {1, 0.37F, 0x1p-20F, 1e6F, 0x1p-100F, 0x1p60F};
     factor = factors[random.below(6)];
     offset = random.one_in(4) ? 1e3F : 0;
-    if (random.one_in(2)) tolerance = std::ldexp(64 * factor, -8 - static_cast<int>(random.below(14)));
+    if (random.one_in(2)) tolerance = std::ldexp(64 * factor, -6 - static_cast<int>(random.below(14)));
     for (std::size_t i = 0; i != solid_points; ++i) solid.push_back(point(0, 3 + thinnest, 6));
     fixed = patch(-10);
     while (others.size() != kernel::most_siblings) others.push_back(patch(10));
