@@ -200,7 +200,7 @@ void expect_all(std::uint64_t seed, const Plan& plan, Found& found) {
       }
       expect_many(shafts.all(), holder.bounds, query, right);
       for (int again = 0; again != (plan.bounds < 1000 ? 3 : 1); ++again) {
-        const std::size_t s = random.below(static_cast<unsigned>(plan.shafts));
+        const std::size_t s = random.below(static_cast<unsigned>(shafts.all().size()));
         SCOPED_TRACE("shaft " + std::to_string(s) + " alone");
         expect_bits_and_numbers(shafts.all()[s], holder.bounds, options.of_one(s), right[s]);
         expect_lists_of_one(random, shafts.all()[s], holder.bounds, options.of_one(s), right[s]);

@@ -280,18 +280,23 @@ void expect_same(const Occluders& a, const Occluders& b) {
     EXPECT_EQ(a.box(i), b.box(i));
     EXPECT_TRUE(std::equal(a.triangles(i).begin(), a.triangles(i).end(), b.triangles(i).begin(), b.triangles(i).end()));
   }
-  // Points on both sides of them.
+  // Points, and small triangles, on both sides of them.
   std::vector<Box> points;
+  std::vector<Vec3> corners;
+  std::vector<std::size_t> first{0};
   for (unsigned i = 0; i != 40; ++i) {
     const Vec3 at{static_cast<float>(i % 20) / 2, 0.25F, i % 2 == 0 ? -1.0F : 2.0F};
     points.push_back({at, at});
+    corners.insert(corners.end(), {at, {at[0] + 0.0625F, at[1], at[2] + 0.0625F}, {at[0], at[1] + 0.0625F, at[2]}});
+    first.push_back(corners.size());
   }
-  const PatchSet patches{std::span<const Box>(points)};
-  const Visibility of_a = collect_visibility(patches, a);
-  const Visibility of_b = collect_visibility(patches, b);
-  EXPECT_EQ(of_a.counts, of_b.counts);
-  EXPECT_EQ(of_a.undecided, of_b.undecided);
-  EXPECT_EQ(of_a.candidates, of_b.candidates);
+  for (const PatchSet& patches : {PatchSet{std::span<const Box>(points)}, PatchSet(corners, first, PatchSides::both)}) {
+    const Visibility of_a = collect_visibility(patches, a);
+    const Visibility of_b = collect_visibility(patches, b);
+    EXPECT_EQ(of_a.counts, of_b.counts);
+    EXPECT_EQ(of_a.undecided, of_b.undecided);
+    EXPECT_EQ(of_a.candidates, of_b.candidates);
+  }
 }
 
 TEST(VisibilityMemory, OccludersAreWhatTheyWereWhereMemoryRunsOut) {
@@ -302,17 +307,21 @@ TEST(VisibilityMemory, OccludersAreWhatTheyWereWhereMemoryRunsOut) {
   for (const Adding& adding : addings) {
     SCOPED_TRACE(adding.name);
     Occluders more = right;
-    EXPECT_EQ(adding.add(more, 20), right.size());
+    EXPECT_EQ(adding.add(more, 5), right.size());
+    Occluders other = right;
+    adding.add(other, 5.5F);
     for (const Failing failing : {Failing::only_one, Failing::from_then_on}) {
       for (std::size_t n = 1;; ++n) {
         SCOPED_TRACE(n);
         Occluders occluders = right;  // no vector has room for more
-        const auto [was_thrown, has_failed] = call_with_failing(n, failing, [&] { adding.add(occluders, 20); });
+        const auto [was_thrown, has_failed] = call_with_failing(n, failing, [&] { adding.add(occluders, 5.5F); });
         if (was_thrown) {
           expect_same(occluders, right);
-          adding.add(occluders, 20);
+          adding.add(occluders, 5);  // elsewhere, so that nothing of the other one is at its place
+          expect_same(occluders, more);
+        } else {
+          expect_same(occluders, other);
         }
-        expect_same(occluders, more);
         EXPECT_TRUE(has_failed || !was_thrown);
         if (!has_failed) {
           EXPECT_GT(n, 1U);
