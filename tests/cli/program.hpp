@@ -2,6 +2,7 @@
 /// The program `shaftcull`, run from outside as a user runs it.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
