@@ -16,6 +16,7 @@
 #include "shaftcull/many.hpp"
 #include "shaftcull/occluded.hpp"
 #include "shaftcull/query.hpp"
+#include "shaftcull/rays.hpp"
 #include "shaftcull/results.hpp"
 #include "shaftcull/solids.hpp"
 #include "shaftcull/streams.hpp"

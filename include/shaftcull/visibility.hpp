@@ -147,7 +147,7 @@ class SHAFTCULL_EXPORT PatchSet {
 /// for a value that is not finite or a box with lo > hi, and InvalidArgument for a broken rule of the member. A call
 /// that throws, std::bad_alloc included, adds nothing. Time and memory are proportional to the addition, amortised:
 /// adding one occluder at a time costs no more. Memory is about 50 bytes per occluder, 24 more per solid, 12 per corner
-/// of a hull, a polygon or a group, and 4 per triangle, 72 in groups of at most 64.
+/// of a hull, a polygon or a group, and 72 per triangle.
 ///
 /// Larger boxes that solids form together are found by the first visibility call after solids were added. That takes
 /// about O(n log n) for all solids, on one thread, and 32 bytes per box found. Later copies share these boxes.

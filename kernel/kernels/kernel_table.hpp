@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "compiled/shaft_data.hpp"
+#include "kernels/rays/ray_packet.hpp"
 #include "kernels/siblings/siblings.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/isa.hpp"
@@ -240,6 +241,7 @@ struct Kernels {
   TestListedWords* listed_spheres;
   OcclusionKernels blocking;
   SiblingKernels siblings;
+  RayKernels rays;
   /// Triangles, in nine streams, as shaftcull/triangles.hpp says; `inside` is null. Not exactly for a hull.
   Test* triangles_by_vertices;
   Test* triangles_exactly;

@@ -13,6 +13,14 @@ Polygon::Polygon(std::span<const Vec3> corners, const Point& origin, double scal
   }
 }
 
+Polygon Polygon::moved(const Point& origin, double scale) const noexcept {
+  Polygon result = *this;
+  for (std::size_t i = 0; i != count_; ++i) {
+    for (std::size_t k = 0; k != 3; ++k) result.corner_[i][k] = (corner_[i][k] - origin[k]) * scale;
+  }
+  return result;
+}
+
 Point Polygon::normal() const noexcept {
   Point sum{};
   for (std::size_t i = 2; i < count_; ++i) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
 
@@ -22,6 +23,8 @@ using Point = std::array<double, 3>;
   return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
 }
 
+[[nodiscard]] inline double length(const Point& p) noexcept { return std::sqrt(dot(p, p)); }
+
 /// Corners run counterclockwise as seen from the front. There may be none.
 class Polygon {
  public:
@@ -37,6 +40,7 @@ class Polygon {
   [[nodiscard]] Point normal() const noexcept;
   /// What is in front of the plane through `other`. Nothing of what only touches it.
   [[nodiscard]] Polygon in_front_of(const Polygon& other) const noexcept;
+  [[nodiscard]] Polygon moved(const Point& origin, double scale) const noexcept;
 
  private:
   std::array<Point, most_given + 1> corner_{};

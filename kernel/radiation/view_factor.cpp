@@ -6,8 +6,7 @@
 #include <cstddef>
 #include <string>
 
-#include "radiation/exchange.hpp"
-#include "radiation/flat_polygon.hpp"
+#include "radiation/radiating_patch.hpp"
 #include "shaftcull/error.hpp"
 #include "support/arguments.hpp"
 #include "support/fail.hpp"
@@ -17,15 +16,12 @@
 namespace shaftcull {
 namespace {
 
-using kernel::Point;
-using kernel::Polygon;
-
 void require_polygon(const char* name, std::span<const Vec3> corners) {
   kernel::require_memory(name, corners, "corners");
-  if (corners.size() < 3 || corners.size() > Polygon::most_given) {
+  if (corners.size() < 3 || corners.size() > kernel::Polygon::most_given) {
     kernel::fail(InvalidArgument("polygon \"" + std::string(name) + "\" has " +
                                  kernel::counted(corners.size(), "corner") + "; a view factor takes 3 to " +
-                                 std::to_string(Polygon::most_given)));
+                                 std::to_string(kernel::Polygon::most_given)));
   }
   for (std::size_t i = 0; i != corners.size(); ++i) {
     if (!std::all_of(corners[i].begin(), corners[i].end(), [](float x) { return std::isfinite(x); })) {
@@ -35,39 +31,13 @@ void require_polygon(const char* name, std::span<const Vec3> corners) {
   }
 }
 
-/// What makes coordinates about 1 at most, exactly.
-struct Placing {
-  Point origin{};
-  double scale = 1;
-
-  Placing(std::span<const Vec3> some, std::span<const Vec3> others) noexcept {
-    double largest = 0;
-    for (std::size_t k = 0; k != 3; ++k) {
-      double lo = some[0][k];
-      double hi = lo;
-      for (const std::span<const Vec3> corners : {some, others}) {
-        for (const Vec3& corner : corners) {
-          lo = std::min(lo, double{corner[k]});
-          hi = std::max(hi, double{corner[k]});
-        }
-      }
-      origin[k] = lo + (hi - lo) / 2;
-      largest = std::max(largest, hi - lo);
-    }
-    if (largest > 0) scale = std::ldexp(1.0, -std::ilogb(largest));
-  }
-};
-
 double factor(std::span<const Vec3> from, std::span<const Vec3> to) {
   require_polygon("from", from);
   require_polygon("to", to);
-  const Placing placing(from, to);
-  const Polygon first(from, placing.origin, placing.scale);
-  const Polygon second(to, placing.origin, placing.scale);
-  const Point normal = first.normal();
-  const double area = std::sqrt(kernel::dot(normal, normal)) / 2;
-  if (!(area > 0)) kernel::fail(InvalidArgument("polygon \"from\" has no area"));
-  return std::min(1.0, kernel::exchange_area(first.in_front_of(second), second.in_front_of(first)) / area);
+  const kernel::RadiatingPatch first(from);
+  if (!(first.area > 0)) kernel::fail(InvalidArgument("polygon \"from\" has no area"));
+  return std::min(
+      1.0, kernel::exchange_between(first, kernel::RadiatingPatch(to), kernel::Accuracy::eight_digits) / first.area);
 }
 
 }  // namespace

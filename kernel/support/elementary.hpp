@@ -11,6 +11,8 @@
 
 namespace shaftcull::kernel {
 
+inline constexpr double pi = 3.14159265358979324;
+
 /// The natural logarithm of a positive number that is finite and no denormal, off by a few units in the last place.
 [[nodiscard]] inline double logarithm(double x) noexcept {
   constexpr double ln_2 = 0.693147180559945309;
@@ -28,7 +30,6 @@ namespace shaftcull::kernel {
 
 /// The angle from 0 to π of a point (x, y), with y of 0 or more, likewise. 0 of (0, 0).
 [[nodiscard]] inline double angle_of(double y, double x) noexcept {
-  constexpr double pi = 3.14159265358979324;
   if (y == 0) return x < 0 ? pi : 0;
   const double magnitude = std::fabs(x);
   const bool is_steep = y > magnitude;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "exact/deep_segments.hpp"
+#include "exact/polygon_cone.hpp"
 #include "exact/tangent_planes.hpp"
 #include "kernels/kernel_table.hpp"
 #include "shaftcull/function_ref.hpp"
@@ -161,8 +162,10 @@ class Ladder {
   [[nodiscard]] std::uint64_t behind(const Side& lanes, std::uint32_t occluder, std::uint64_t asked);
   [[nodiscard]] std::uint64_t on_one_side_of(const BoxRow& around, std::uint64_t asked) const;
   [[nodiscard]] std::uint64_t occluded_by_polygons(const std::uint32_t* polygons, std::size_t count,
-                                                   const std::uint64_t* may_block, std::uint64_t asked,
-                                                   bool are_boxes) const;
+                                                   const std::uint64_t* may_block, std::uint64_t asked, bool are_boxes);
+  template <class Behind>
+  [[nodiscard]] BehindCone behind_polygon(std::uint32_t polygon, std::span<const Vec3> fixed, EndPoints counting,
+                                          std::uint64_t asked, const Behind& behind);
   void decide_rows(const Side& rows, std::uint64_t which, const Side& columns, unsigned column, Sight sight);
   void decide(const Side& rows, unsigned row, const Side& columns, std::uint64_t which, Sight sight);
   [[nodiscard]] bool may_face_away() const noexcept;
@@ -181,6 +184,8 @@ class Ladder {
   float exchanged_[6] = {};     // likewise of form_exchanged()
   TangentPlanes tangents_;
   KnownCones cones_;
+  PolygonCone polygon_cone_;
+  std::vector<ConePlane> polygon_planes_;
   ConeEnd fixed_end_;  // the box that all siblings_ begin at
   /// Of the parts of candidates at hand, one after the other: lanes that a part reaches into.
   std::vector<std::uint64_t> part_lanes_;

@@ -43,14 +43,20 @@ std::uint64_t Ladder::block_corners(const Side& rows, unsigned row, const Side& 
   kernels.keep(siblings_, job_.occluders.polygons.data(), polygons.list.data(), polygons.count, polygons.may.data(),
                asked, polygons.kept.data());
   const float tolerance = job_.a.tolerance;
+  const Side::CornersOfLanes corners(columns);
   for (std::size_t i = 0; i != polygons.count; ++i) {
+    const std::uint64_t may = polygons.kept[i] & ~occluded;
+    if (may == 0) continue;
     const std::span<const Vec3> polygon = job_.occluders.polygon(polygons.list[i]);
-    const PolygonSides& sides = job_.occluders.polygon_sides[polygons.list[i]];
-    const PolygonSides::Reach of_a = sides.of(a.all(), tolerance);
-    for_each_lane(polygons.kept[i] & ~occluded, [&](unsigned lane) {
+    const BehindCone behind =
+        behind_polygon(polygons.list[i], a.all(), EndPoints::of_relative_interior, may,
+                       [&](std::span<const ConePlane> planes, std::uint64_t lanes) {
+                         return kernels.corners_behind_cone(planes.data(), planes.size(), corners.stream,
+                                                            corners.corners, columns.count, lanes);
+                       });
+    for_each_lane(behind.possible, [&](unsigned lane) {
       const PatchCorners b = columns.corners(lane);
-      if (PolygonSides::are_on_one_side(of_a, sides.of(b.all(), tolerance))) return;
-      if (!polygon_blocks(a.all(), b.all(), polygon)) return;
+      if ((behind.certain & bit(lane)) == 0 && !polygon_blocks(a.all(), b.all(), polygon)) return;
       if (tolerance > 0 && (lie_in_plane(a.all(), polygon, tolerance) || lie_in_plane(b.all(), polygon, tolerance))) {
         return;
       }
@@ -119,15 +125,15 @@ bool Ladder::reaches_between(unsigned lane, std::uint32_t occluder, std::size_t 
   parts_left_.clear();
   for (std::size_t part = 0; part != parts; ++part) {
     if ((part_lanes_[first + part] & bit(lane)) == 0) continue;
-    const std::size_t number = occluders.first_part[occluder] + part;
-    if (!are_on_one_side(a.all(), b.all(), occluders.part_vertices[number], job_.contact, job_.a.tolerance)) {
+    const std::size_t number = occluders.first_triangle[occluder] + part;
+    if (!are_on_one_side(a.all(), b.all(), occluders.triangle_vertices[number], job_.contact, job_.a.tolerance)) {
       parts_left_.push_back(number);
     }
   }
   constexpr std::size_t few = 4;
   if (parts_left_.size() > few && is_separate(points, &job_.turned_occluders[occluder])) return false;
   return std::any_of(parts_left_.begin(), parts_left_.end(),
-                     [&](std::size_t part) { return !is_separate(occluders.part_vertices[part], nullptr); });
+                     [&](std::size_t part) { return !is_separate(occluders.triangle_vertices[part], nullptr); });
 }
 
 /// Of a row of pairs, decides in lanes which candidates reach in, as far as floats can: clears what does not, in
@@ -144,7 +150,7 @@ std::uint64_t Ladder::reach_in_lanes(const Side& rows, unsigned row, const Side&
     const auto number = job_.wants_candidates ? static_cast<std::uint32_t>(i) : 0;
     const std::size_t parts = occluders.parts_of(occluder);
     for (std::size_t p = 0; p != parts; ++p) {
-      const std::array<Vec3, 3>& triangle = occluders.part_vertices[occluders.first_part[occluder] + p];
+      const std::array<Vec3, 3>& triangle = occluders.triangle_vertices[occluders.first_triangle[occluder] + p];
       const std::uint64_t asked_of_part = asked & part_lanes_[part + p];
       if (asked_of_part != 0) points_between_.push_back({triangle.data(), 3, number, true, asked_of_part, 0, 0});
     }

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "visibility/cone_planes.hpp"
 #include "visibility/ladder.hpp"
 
 namespace shaftcull::kernel {
@@ -174,5 +175,22 @@ struct Ladder::Level {
   Selection solids_of_row;
   Selection polygons_of_row;
 };
+
+/// Lanes of `asked` that a polygon hides from an end, as far as planes in lanes say; behind(planes, lanes) are those
+/// behind some planes.
+template <class Behind>
+BehindCone Ladder::behind_polygon(std::uint32_t polygon, std::span<const Vec3> fixed, EndPoints counting,
+                                  std::uint64_t asked, const Behind& behind) {
+  const OccluderData& occluders = job_.occluders;
+  if (!polygon_cone_.begin(occluders.polygon(polygon), occluders.polygon_is_flat[polygon] != 0, fixed, counting)) {
+    return {0, 0};
+  }
+  polygon_planes_.clear();
+  for (const HullCone::Plane& plane : polygon_cone_.planes()) {
+    polygon_planes_.push_back(plane_in_lanes(plane, counting, 0, job_.a.coordinate));
+  }
+  const BehindCone lanes = behind(std::span<const ConePlane>(polygon_planes_), asked);
+  return polygon_cone_.is_sufficient() ? lanes : BehindCone{lanes.possible, 0};
+}
 
 }  // namespace shaftcull::kernel

@@ -135,7 +135,7 @@ void Ladder::answer_boxes(Level& here, const Side& rows, unsigned row, const Sid
   const OccluderData& occluders = job_.occluders;
   // Side by side, fewer vectors hold those that are left.
   const auto count = static_cast<unsigned>(std::popcount(lanes));
-  const bool have_parts = !occluders.parts.empty();
+  const bool have_parts = occluders.have_parts;
   const bool has_both_sides = rows.has_both_sides() || columns.has_both_sides();  // lanes are where faced_ has them
   const bool packs = kernels.pack != nullptr && !has_both_sides && count + most_siblings / 4 <= columns.count;
   const auto spread = [&](std::uint64_t bits) { return packs ? kernels.spread(bits, lanes) : bits; };

@@ -69,7 +69,7 @@ std::uint64_t Ladder::on_one_side_of(const BoxRow& around, std::uint64_t asked) 
 /// Siblings of `asked` that a polygon of a list blocks; may_block[i], unless null, are those that polygon i may. If the
 /// siblings are boxes rather than something in them, it answers for them exactly.
 std::uint64_t Ladder::occluded_by_polygons(const std::uint32_t* polygons, std::size_t count,
-                                           const std::uint64_t* may_block, std::uint64_t asked, bool are_boxes) const {
+                                           const std::uint64_t* may_block, std::uint64_t asked, bool are_boxes) {
   std::uint64_t occluded = 0;
   const BoxCorners fixed(fixed_);
   for (std::size_t i = 0; i != count && (asked & ~occluded) != 0; ++i) {
@@ -78,17 +78,19 @@ std::uint64_t Ladder::occluded_by_polygons(const std::uint32_t* polygons, std::s
     job_.kernels.may_block(siblings_, job_.occluders.polygons.data(), &polygons[i], 1, nullptr, may, &met);
     if (met != 0) met &= ~on_one_side_of(job_.occluders.polygons[polygons[i]], met);
     if (met == 0) continue;
-    const PolygonSides& sides = job_.occluders.polygon_sides[polygons[i]];
-    const PolygonSides::Reach of_fixed = sides.of(fixed_);
-    for_each_lane(met, [&](unsigned lane) {
+    // The relative interior of a patch may lie in the surface of its group.
+    const EndPoints counting = siblings_.are_groups ? EndPoints::all : EndPoints::of_relative_interior;
+    const BehindCone behind = behind_polygon(
+        polygons[i], fixed.get(), counting, met, [&](std::span<const ConePlane> planes, std::uint64_t lanes) {
+          return job_.kernels.boxes_behind_cone(planes.data(), planes.size(), siblings_.other, siblings_.count, lanes);
+        });
+    for_each_lane(behind.possible, [&](unsigned lane) {
       float other[6];
       for (unsigned f = 0; f != 6; ++f) other[f] = siblings_.other[f][lane];
-      if (PolygonSides::are_on_one_side(of_fixed, sides.of(other))) return;
-      // The relative interior of a patch may lie in the surface of its group.
       const auto& blocks = siblings_.are_groups ? polygon_blocks_closed : static_cast<BetweenHulls&>(polygon_blocks);
       const std::span<const Vec3> polygon = job_.occluders.polygon(polygons[i]);
       const BoxCorners of_other(other);
-      if (!blocks(fixed.get(), of_other.get(), polygon)) return;
+      if ((behind.certain & bit(lane)) == 0 && !blocks(fixed.get(), of_other.get(), polygon)) return;
       const float tolerance = job_.a.tolerance;
       // A patch of the polygon's own wall may be a little behind it.
       const auto may_lie_in_plane = [&](const BoxCorners& end) {

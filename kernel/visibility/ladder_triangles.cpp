@@ -65,7 +65,7 @@ std::uint64_t Ladder::look_at_triangles(const Side& rows, unsigned row, const Si
   }
   const auto behind = [&](const Side& side, std::size_t part, std::uint64_t of) {
     return side.has_planes()
-               ? kernels.points_behind_planes(side.planes, side.count, occluders.part_vertices[part].data(), 3, of)
+               ? kernels.points_behind_planes(side.planes, side.count, occluders.triangle_vertices[part].data(), 3, of)
                : 0;
   };
   std::uint64_t left = 0;
@@ -78,9 +78,9 @@ std::uint64_t Ladder::look_at_triangles(const Side& rows, unsigned row, const Si
       left |= asked;
       continue;
     }
-    const std::size_t first = occluders.first_part[candidates.list[i]];
+    const std::size_t first = occluders.first_triangle[candidates.list[i]];
     std::array<std::uint64_t, OccluderData::most_parts> kept;
-    kernels.keep(siblings_, occluders.parts.data() + first, all_parts.data(), parts, nullptr,
+    kernels.keep(siblings_, occluders.triangle_boxes.data() + first, all_parts.data(), parts, nullptr,
                  packs ? pack(asked, with_parts) : asked, kept.data());
     std::uint64_t reached = 0;
     for (std::size_t part = 0; part != parts; ++part) {
@@ -91,7 +91,7 @@ std::uint64_t Ladder::look_at_triangles(const Side& rows, unsigned row, const Si
       if (of_part == 0) continue;
       of_part = behind(rows, first + part, bit(row)) != 0 ? 0 : of_part & ~behind(columns, first + part, of_part);
       of_part &= ~behind_faced(rows, row, columns, {static_cast<std::uint32_t>(first + part), true},
-                               occluders.part_vertices[first + part], of_part);
+                               occluders.triangle_vertices[first + part], of_part);
       reached |= of_part;
     }
     candidates.kept[i] = reached;
@@ -106,9 +106,9 @@ std::uint64_t Ladder::part_reaches(const Side& rows, unsigned row, const Side& c
   const SiblingKernels& kernels = job_.kernels;
   const auto number = static_cast<std::uint32_t>(part);
   std::uint64_t kept = 0;
-  kernels.keep(siblings_, job_.occluders.parts.data(), &number, 1, nullptr, asked, &kept);
+  kernels.keep(siblings_, job_.occluders.triangle_boxes.data(), &number, 1, nullptr, asked, &kept);
   if (kept == 0) return 0;
-  const std::array<Vec3, 3>& vertices = job_.occluders.part_vertices[part];
+  const std::array<Vec3, 3>& vertices = job_.occluders.triangle_vertices[part];
   const auto behind = [&](const Side& side, std::uint64_t of) {
     return side.has_planes() ? kernels.points_behind_planes(side.planes, side.count, vertices.data(), 3, of) : 0;
   };
@@ -130,14 +130,14 @@ std::uint64_t Ladder::look_at_all_triangles(const Side& rows, unsigned row, cons
   sure_lanes_.clear();
   for (std::size_t i = 0; i != candidates.count; ++i) {
     const std::uint64_t asked = candidates.kept[i] & lanes & ~decided;
-    const std::size_t first = occluders.first_part[candidates.list[i]];
+    const std::size_t first = occluders.first_triangle[candidates.list[i]];
     const std::size_t end = first + occluders.parts_of(candidates.list[i]);
     std::uint64_t reached = first == end ? asked : 0;
     std::uint64_t sure = first == end ? certainly_through(candidates.list[i], columns.count, asked) : 0;
     for (std::size_t part = first; part != end; ++part) {
       const std::uint64_t open = asked & ~sure;
       const std::uint64_t kept = open == 0 ? 0 : part_reaches(rows, row, columns, part, open);
-      if (kept != 0) sure |= certainly_through(occluders.part_vertices[part], columns.count, kept);
+      if (kept != 0) sure |= certainly_through(occluders.triangle_vertices[part], columns.count, kept);
       reached |= kept;
       part_lanes_.push_back(kept);
     }

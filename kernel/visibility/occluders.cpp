@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "exact/polygon_cone.hpp"
 #include "shaftcull/hull.hpp"
 #include "shaftcull/solids.hpp"
 #include "shaftcull/visibility.hpp"
@@ -43,13 +44,13 @@ class Addition {
         size_(data.size()),
         points_(data.points.size()),
         triangles_(data.triangles.size()),
-        parts_(data.parts.size()),
         solids_(data.solids.size()),
         inner_boxes_(data.inner_boxes.size()),
         hulls_(data.hulls.size()),
         polygons_(data.polygons.size()),
         polygon_corners_(data.polygon_corners.size()),
-        largest_coordinate_(data.largest_coordinate) {}
+        largest_coordinate_(data.largest_coordinate),
+        had_parts_(data.have_parts) {}
   Addition(const Addition&) = delete;
   Addition& operator=(const Addition&) = delete;
   ~Addition() {
@@ -58,42 +59,43 @@ class Addition {
     shorten(data_.first_point, size_ + 1);
     shorten(data_.first_triangle, size_ + 1);
     shorten(data_.points, points_);
+    shorten(data_.kinds, size_);
     shorten(data_.triangles, triangles_);
-    shorten(data_.first_part, size_ + 1);
-    shorten(data_.parts, parts_);
-    shorten(data_.part_vertices, parts_);
+    shorten(data_.triangle_boxes, triangles_);
+    shorten(data_.triangle_vertices, triangles_);
     shorten(data_.solids, solids_);
     shorten(data_.inner_boxes, inner_boxes_);
     shorten(data_.hulls, hulls_);
     shorten(data_.hull_boxes, hulls_);
     shorten(data_.polygons, polygons_);
-    shorten(data_.polygon_sides, polygons_);
+    shorten(data_.polygon_is_flat, polygons_);
     shorten(data_.polygon_corners, polygon_corners_);
     shorten(data_.first_polygon_corner, polygons_ + 1);
     data_.largest_coordinate = largest_coordinate_;
+    data_.have_parts = had_parts_;
   }
 
   /// An occluder; its points and triangles were added before.
-  void add(const Box& box) {
+  void add(const Box& box, kernel::OccluderKind kind) {
     if (data_.boxes.size() == std::numeric_limits<std::uint32_t>::max()) {
       kernel::fail(InvalidArgument("there are 2^32 - 1 occluders already; no more can be numbered"));
     }
     data_.boxes.push_back(row_of(box));
     data_.first_point.push_back(data_.points.size());
     data_.first_triangle.push_back(data_.triangles.size());
-    data_.first_part.push_back(data_.parts.size());
+    data_.kinds.push_back(kind);
+    data_.have_parts = data_.have_parts || data_.parts_of(data_.size() - 1) != 0;
   }
   void add_point(const Vec3& point) { data_.points.push_back(point); }
   void add_points(std::span<const Vec3> points) {
     data_.points.insert(data_.points.end(), points.begin(), points.end());
   }
-  void add_triangle(std::uint32_t triangle) { data_.triangles.push_back(triangle); }
-  /// A triangle of a group that is looked at by its triangles.
-  void add_part(const Triangle& triangle) {
+  void add_triangle(std::uint32_t number, const Triangle& triangle) {
     PointBox around;
     for (const Vec3& vertex : triangle.vertex) around.add(vertex);
-    data_.parts.push_back(row_of(around.box));
-    data_.part_vertices.push_back(triangle.vertex);
+    data_.triangles.push_back(number);
+    data_.triangle_boxes.push_back(row_of(around.box));
+    data_.triangle_vertices.push_back(triangle.vertex);
   }
   /// A polygon that makes pairs occluded; it may be an occluder or not.
   void add_polygon(const Box& box, std::span<const Vec3> corners) {
@@ -101,7 +103,7 @@ class Addition {
       kernel::fail(InvalidArgument("there are 2^32 - 1 polygons already; no more can be numbered"));
     }
     data_.polygons.push_back(row_of(box));
-    data_.polygon_sides.emplace_back(corners);
+    data_.polygon_is_flat.push_back(kernel::is_flat(corners) ? 1 : 0);
     data_.polygon_corners.insert(data_.polygon_corners.end(), corners.begin(), corners.end());
     data_.first_polygon_corner.push_back(data_.polygon_corners.size());
   }
@@ -133,7 +135,10 @@ class Addition {
     const bool has_solids = has_hulls || data_.solids.size() != solids_;
     if (has_solids) data_.surface_rows.forget();
     if (has_solids || data_.inner_boxes.size() != inner_boxes_) data_.solid_rows.forget();
-    if (data_.size() != size_) data_.clumps.forget();
+    if (data_.size() != size_) {
+      data_.clumps.forget();
+      data_.ray_shapes.forget();
+    }
     if (data_.polygons.size() != polygons_) data_.polygon_clumps.forget();
     return size_;
   }
@@ -157,13 +162,13 @@ class Addition {
   std::size_t size_;
   std::size_t points_;
   std::size_t triangles_;
-  std::size_t parts_;
   std::size_t solids_;
   std::size_t inner_boxes_;
   std::size_t hulls_;
   std::size_t polygons_;
   std::size_t polygon_corners_;
   float largest_coordinate_;
+  bool had_parts_;
   bool is_kept_ = false;
 };
 
@@ -263,7 +268,7 @@ kernel::OccluderData& Occluders::own() {
 std::size_t Occluders::add_boxes(std::span<const Box> boxes) {
   return kernel::in_float_environment([&] {
     Addition addition(own());
-    for (const Box& box : usable_boxes(boxes, "box")) addition.add(box);
+    for (const Box& box : usable_boxes(boxes, "box")) addition.add(box, kernel::OccluderKind::box);
     return addition.keep();
   });
 }
@@ -276,7 +281,7 @@ std::size_t Occluders::add_solids(std::span<const Box> boxes) {
   return kernel::in_float_environment([&] {
     Addition addition(own());
     for (const Box& solid : usable_boxes(boxes, "solid")) {
-      addition.add(solid);
+      addition.add(solid, kernel::OccluderKind::box);
       addition.add_solid(solid);
     }
     return addition.keep();
@@ -292,7 +297,7 @@ std::size_t Occluders::add_solid_hulls(std::span<const Vec3> corners, std::span<
     Addition addition(own());
     add_parts(corners, first_corner, "hull", 4, kernel::any_number, [&](const Box& box, std::span<const Vec3> hull) {
       addition.add_points(hull);
-      addition.add(box);
+      addition.add(box, kernel::OccluderKind::hull);
       addition.add_solid_hull(box, hull);
     });
     return addition.keep();
@@ -305,7 +310,7 @@ std::size_t Occluders::add_polygons(std::span<const Vec3> corners, std::span<con
     add_parts(corners, first_corner, "polygon", 3, kernel::any_number,
               [&](const Box& box, std::span<const Vec3> polygon) {
                 addition.add_points(polygon);
-                addition.add(box);
+                addition.add(box, kernel::OccluderKind::polygon);
                 addition.add_polygon(box, polygon);
               });
     return addition.keep();
@@ -353,10 +358,7 @@ std::size_t Occluders::add_triangles(const TriangleView& triangles, std::span<co
       std::vector<Vec3> vertices;
       for (std::size_t i = first_triangle[g]; i != first_triangle[g + 1]; ++i) {
         const std::size_t triangle = found.order.empty() ? i : found.order[i];
-        addition.add_triangle(static_cast<std::uint32_t>(triangle));
-        if (first_triangle[g + 1] - first_triangle[g] <= kernel::OccluderData::most_parts) {
-          addition.add_part(triangles[triangle]);
-        }
+        addition.add_triangle(static_cast<std::uint32_t>(triangle), triangles[triangle]);
         for (const Vec3& vertex : triangles[triangle].vertex) {
           around.add(vertex);
           vertices.push_back(vertex);
@@ -366,7 +368,7 @@ std::size_t Occluders::add_triangles(const TriangleView& triangles, std::span<co
       vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
       put_extremes_first(vertices);
       for (const Vec3& vertex : vertices) addition.add_point(vertex);
-      addition.add(around.box);
+      addition.add(around.box, kernel::OccluderKind::triangles);
     }
     return addition.keep();
   });

@@ -5,52 +5,21 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "exact/hull_mesh.hpp"
 #include "kernels/siblings/siblings.hpp"
 #include "shaftcull/bounds.hpp"
-#include "support/threads.hpp"
 #include "visibility/box_clumps.hpp"
-#include "visibility/polygon_sides.hpp"
+#include "visibility/made_once.hpp"
+#include "visibility/ray_shapes.hpp"
 #include "visibility/solid_rows.hpp"
 
 namespace shaftcull::kernel {
 
-/// Something that is made when it is first asked for, by one thread while others wait. Copies share it.
-template <class Made>
-class MadeOnce {
- public:
-  using Shared = std::shared_ptr<const Made>;
-
-  MadeOnce() = default;
-  MadeOnce(const MadeOnce& other) : made_(other.made()) {}
-  MadeOnce(MadeOnce&&) = delete;
-  MadeOnce& operator=(const MadeOnce&) = delete;
-  MadeOnce& operator=(MadeOnce&&) = delete;
-  ~MadeOnce() = default;
-
-  /// What make() returns, which must be the same from one call to the next but for forget().
-  template <class Make>
-  [[nodiscard]] Shared of(const Make& make) const {
-    const Lock lock(mutex_);
-    if (made_ == nullptr) made_ = std::make_shared<const Made>(make());
-    return made_;
-  }
-  /// It would be another one now. Nobody else may be asking.
-  void forget() noexcept { made_.reset(); }
-
- private:
-  [[nodiscard]] Shared made() const {
-    const Lock lock(mutex_);
-    return made_;
-  }
-
-  mutable Mutex mutex_;
-  mutable Shared made_;
-};
+/// What an occluder was added as.
+enum class OccluderKind : std::uint8_t { box, hull, polygon, triangles };
 
 struct OccluderData {
   /// Of each occluder, the box around it.
@@ -59,16 +28,16 @@ struct OccluderData {
   /// if it is a box.
   std::vector<Vec3> points;
   std::vector<std::size_t> first_point{0};
-  /// Triangles, likewise.
+  /// Of each occluder.
+  std::vector<OccluderKind> kinds;
+  /// Triangles, as points: their numbers, the boxes around them, and their vertices.
   std::vector<std::uint32_t> triangles;
+  std::vector<BoxRow> triangle_boxes;
+  std::vector<std::array<Vec3, 3>> triangle_vertices;
   std::vector<std::size_t> first_triangle{0};
-
-  /// The triangles of groups of at most `most_parts`: such a group reaches into a shaft only where one of them does.
-  /// Those of occluder i from first_part[i] on, each with the box around it.
-  std::vector<BoxRow> parts;
-  std::vector<std::array<Vec3, 3>> part_vertices;
-  std::vector<std::size_t> first_part{0};
+  /// A group of at most so many triangles reaches into a shaft only where one of them does. They are its parts.
   static constexpr std::size_t most_parts = 64;
+  bool have_parts = false;  ///< some occluders
 
   // Blockers, numbered apart: what was found in triangles is no occluder itself.
 
@@ -81,7 +50,7 @@ struct OccluderData {
   std::vector<BoxRow> hull_boxes;
   /// Of each polygon that makes pairs occluded, the box around it.
   std::vector<BoxRow> polygons;
-  std::vector<PolygonSides> polygon_sides;  ///< of each
+  std::vector<unsigned char> polygon_is_flat;  ///< of each, exactly
   std::vector<Vec3> polygon_corners;
   std::vector<std::size_t> first_polygon_corner{0};
   float largest_coordinate = 0;
@@ -91,12 +60,18 @@ struct OccluderData {
   MadeOnce<SolidRows> surface_rows;
   MadeOnce<BoxClumps> clumps;
   MadeOnce<BoxClumps> polygon_clumps;
+  MadeOnce<RayShapes> ray_shapes;
 
   [[nodiscard]] std::size_t size() const noexcept { return boxes.size(); }
   [[nodiscard]] std::span<const Vec3> points_of(std::size_t i) const noexcept {
     return {points.data() + first_point[i], first_point[i + 1] - first_point[i]};
   }
-  [[nodiscard]] std::size_t parts_of(std::size_t i) const noexcept { return first_part[i + 1] - first_part[i]; }
+  [[nodiscard]] std::size_t triangles_of(std::size_t i) const noexcept {
+    return first_triangle[i + 1] - first_triangle[i];
+  }
+  [[nodiscard]] std::size_t parts_of(std::size_t i) const noexcept {
+    return triangles_of(i) <= most_parts ? triangles_of(i) : 0;
+  }
   [[nodiscard]] std::span<const Vec3> polygon(std::size_t i) const noexcept {
     return {polygon_corners.data() + first_polygon_corner[i], first_polygon_corner[i + 1] - first_polygon_corner[i]};
   }

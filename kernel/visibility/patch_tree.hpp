@@ -15,6 +15,8 @@
 #include "shaftcull/bounds.hpp"
 #include "shaftcull/streams.hpp"
 #include "shaftcull/visibility.hpp"
+#include "visibility/made_once.hpp"
+#include "visibility/ray_shapes.hpp"
 #include "visibility/turned_groups.hpp"
 
 namespace shaftcull::kernel {
@@ -133,6 +135,8 @@ class PatchTree {
   [[nodiscard]] const std::vector<TurnedGroup>& turned_groups() const noexcept { return turned_groups_; }
   /// The largest magnitude of a coordinate of a box.
   [[nodiscard]] float largest_coordinate() const noexcept { return largest_coordinate_; }
+  /// The patches as rays meet them, made when they are first asked for. Throws as outline_of().
+  [[nodiscard]] std::shared_ptr<const RayPatches> ray_patches() const;
 
  private:
   std::vector<std::uint32_t> order_;
@@ -146,6 +150,7 @@ class PatchTree {
   std::vector<TurnedGroup> turned_groups_;
   float largest_coordinate_ = 0;
   bool has_both_sides_ = false;
+  std::shared_ptr<MadeOnce<RayPatches>> ray_patches_ = std::make_shared<MadeOnce<RayPatches>>();
 };
 
 /// The corners of a box that differ.

@@ -12,6 +12,13 @@ namespace shaftcull::kernel {
 namespace {
 
 constexpr std::size_t least_memory = std::size_t{1} << 20;
+constexpr std::uint32_t most_rays = 65536;
+
+void require_tolerance(float tolerance) {
+  if (!(tolerance >= 0) || !std::isfinite(tolerance)) {
+    kernel::fail(InvalidArgument("tolerance is " + text(tolerance) + "; it is finite and not below 0"));
+  }
+}
 
 }  // namespace
 
@@ -26,11 +33,16 @@ void require_options(const VisibilityOptions& options) {
     kernel::fail(
         InvalidArgument("memory is " + std::to_string(options.memory) + " bytes; it takes 1 MB (1048576) or more"));
   }
-  kernel::in_float_environment([&] {
-    if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance)) {
-      kernel::fail(InvalidArgument("tolerance is " + text(options.tolerance) + "; it is finite and not below 0"));
-    }
-  });
+  kernel::in_float_environment([&] { require_tolerance(options.tolerance); });
+}
+
+void require_rays(std::uint32_t rays, double error, float tolerance) {
+  if (rays == 0 || rays > most_rays) {
+    kernel::fail(
+        InvalidArgument("rays is " + std::to_string(rays) + "; a pair gets 1 to " + std::to_string(most_rays)));
+  }
+  if (!(error >= 0)) kernel::fail(InvalidArgument("error is " + std::to_string(error) + "; it is 0 or more"));
+  require_tolerance(tolerance);
 }
 
 void require_rows(std::span<const std::uint64_t> bits, std::size_t a, std::size_t b) {

@@ -16,6 +16,9 @@ namespace shaftcull::kernel {
 
 void require_options(const VisibilityOptions& options);
 
+/// Of calls that cast rays: at most `rays` of each pair, until an error is reached.
+void require_rays(std::uint32_t rays, double error, float tolerance);
+
 /// `bits` has one row for each of `a` patches, of a bit for each of `b`.
 void require_rows(std::span<const std::uint64_t> bits, std::size_t a, std::size_t b);
 

@@ -22,6 +22,7 @@ struct SightWorkload {
   std::vector<Vec3> hull;
   PatchSet patches;
   PatchSet others;
+  PatchSet facets;  ///< triangles
   Occluders occluders;
 };
 
@@ -57,6 +58,16 @@ inline void add_visibility_calls(CallTable& table) {
   all->hull = {{0, 1e-40F, 0}, {2, 1, 0}, {1, 3, 0}, {0, 0, 4}, {2, 1, 4}, {1, 3, 4}};
   all->patches = PatchSet(std::span<const Box>(all->boxes), all->planes);
   all->others = PatchSet(std::span<const Box>(all->boxes).subspan(0, count / 2));
+  std::vector<Vec3> corners;
+  std::vector<std::size_t> first{0};
+  for (std::size_t i = 0; i < count; i += 4) {
+    const Box& box = all->boxes[i];
+    for (const Vec3& corner : {box.lo, Vec3{box.hi[0], box.lo[1], box.lo[2]}, Vec3{box.lo[0], box.hi[1], box.hi[2]}}) {
+      corners.push_back(corner);
+    }
+    first.push_back(corners.size());
+  }
+  all->facets = PatchSet(corners, first);
   const auto add_occluders = [all, &triangles = table.triangle_stream](Occluders& to) {
     to.add_boxes(std::span<const Box>(all->boxes).subspan(0, std::min<std::size_t>(all->boxes.size(), 20)));
     to.add_solids(std::span<const Box>(all->solids));
@@ -108,6 +119,19 @@ inline void add_visibility_calls(CallTable& table) {
     closed.solids_around_ends = false;
     closed.tolerance = 1e-40F;
     note_visibility(words, collect_visibility(all->others, all->patches, all->occluders, closed));
+  });
+  table.add("visible_fractions", false, [all](AnswerWords& words) {
+    const Visibility found = collect_visibility(all->facets, all->occluders);
+    std::vector<float> fractions(found.undecided.size());
+    visible_fractions(all->facets, all->facets, all->occluders,
+                      {found.undecided, found.first_candidate, found.candidates}, fractions);
+    for (const float fraction : fractions) note(words, fraction);
+  });
+  table.add("view_factors", false, [all](AnswerWords& words) {
+    const ViewFactors factors = view_factors(all->facets, all->occluders);
+    for (const double factor : factors.factor) note(words, factor);
+    for (const std::uint32_t column : factors.column) words.push_back(column);
+    for (const double error : factors.error) note(words, error);
   });
   table.add("visibility_bits", false, [all](AnswerWords& words) {
     std::vector<std::uint64_t> bits(all->patches.size() * bit_words(all->others.size()));

@@ -92,7 +92,8 @@ TEST(ViewFactor, OfACubeHasTheBitsOnRecord) {
   const Corners floor = rectangle(1, 1, 0, true);
   const Corners wall{{0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}};
   const Corners triangle{{0.25F, 0.125F, 3}, {0.5F, 2.5F, 1}, {0.75F, -1.5F, 1.25F}};
-  EXPECT_EQ(view_factor(floor, rectangle(1, 1, 1, false)), 0x1.993dcb7f9b9f9p-3);
+  EXPECT_EQ(view_factor(floor, rectangle(1, 1, 1, false)), 0x1.993dcb7f9b9fbp-3);
+  EXPECT_EQ(view_factor(floor, rectangle(1, 1, 16, false)), 0x1.451a723049bfdp-10);
   EXPECT_EQ(view_factor(floor, wall), 0x1.99b08d2019306p-3);
   EXPECT_EQ(view_factor(triangle, floor), 0x1.10d435ed72074p-6);
 }

@@ -11,6 +11,7 @@ shaftcull_test(visibility PARTS 2
   visibility/hulls.cpp
   visibility/meet.cpp
   visibility/patch_tree.cpp
+  visibility/rays.cpp
   visibility/reach.cpp
   visibility/rows.cpp
   visibility/siblings.cpp

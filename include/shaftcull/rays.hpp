@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+/// Rays: how much two patches see of each other, where visibility() leaves a pair undecided.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "shaftcull/export.hpp"
+#include "shaftcull/visibility.hpp"
+
+namespace SHAFTCULL_INTERFACE shaftcull {
+
+/// Options of visible_fractions().
+struct RayOptions {
+  /// Rays per pair; a multiple of 16 is cast. 1 to 65536.
+  std::uint32_t rays = 64;
+  /// A pair gets fewer rays if the estimated standard error of its fraction is at most this: 16 rays first, then as
+  /// many again, and so on. 0: each pair gets all rays.
+  double error = 0;
+  /// Where rays start and end depends on the seed and the two patches alone.
+  std::uint64_t seed = 1;
+  /// What is nearer to an end of a ray is what the patch lies on, and does not block the ray: as
+  /// VisibilityOptions::tolerance. It is at least 2⁻¹⁹ of the largest coordinate: 0.2 mm in a scene of 100 m.
+  float tolerance = 0;
+};
+
+/// Writes for each pair the visible fraction, from 0 to 1: of the segments from points of one patch to points of the
+/// other that leave and arrive in front, the share that no candidate blocks. 0 if there are none.
+///
+/// `pairs` are undecided pairs of `a` and `b`, with candidates, as visibility() delivers them; or any pairs with any
+/// occluders. Rays are spread evenly over both patches. A box blocks rays that pass through its inside: it counts as
+/// solid, even if it was added as the box around something. A flat box blocks as a rectangle, a hull as a solid, a
+/// polygon and a triangle as surfaces. What was added by Occluders::add_found() blocks nothing here, since the
+/// triangles do.
+///
+/// For 16 rays about 0.4 µs per pair and 10 ns per candidate; triangles of a group are in a tree. Runs in parallel if
+/// there are many pairs, in the caller's task_arena; it may be called from VisibilityOptions::resolve. The first call
+/// with some occluders prepares them: O(n log n), 100 bytes per triangle. Fractions are the same bits for any number of
+/// threads and on every instruction set.
+///
+/// Throws InvalidArgument if `fractions` has not one element per pair, if a pair or candidate is out of range, if there
+/// are no candidates (VisibilityOptions::candidates), for options out of range, and for patches that are boxes with an
+/// interior; std::bad_alloc.
+SHAFTCULL_EXPORT void visible_fractions(const PatchSet& a, const PatchSet& b, const Occluders& occluders,
+                                        const UndecidedPairs& pairs, std::span<float> fractions,
+                                        const RayOptions& options = {});
+
+}  // namespace shaftcull

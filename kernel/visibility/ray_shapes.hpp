@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+/// Patches and occluders as rays meet them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "kernels/rays/ray_packet.hpp"
+#include "kernels/siblings/siblings.hpp"
+
+namespace shaftcull::kernel {
+
+class PatchTree;
+struct OccluderData;
+
+/// What rays meet of each occluder.
+struct RayShapes {
+  enum class Kind : std::uint8_t {
+    nothing,  ///< of a hull without an interior
+    box,      ///< the occluder's box
+    body,     ///< `count` planes
+    tree,     ///< triangles below a node
+  };
+  struct Shape {
+    Kind kind;
+    std::uint32_t first;  ///< plane or node
+    std::uint32_t count;
+  };
+  /// A box around triangles: `count` of them from `first` on, or if that is 0, those of the nodes `first` and behind
+  /// it.
+  struct Node {
+    BoxRow box;
+    std::uint32_t first;
+    std::uint32_t count;
+  };
+
+  std::vector<Shape> shapes;  ///< one for each occluder
+  std::vector<RayPlane> planes;
+  std::vector<RayTriangle> triangles;
+  std::vector<Node> nodes;
+
+  /// A flat box is the rectangle that it is. O(n log n).
+  explicit RayShapes(const OccluderData& occluders);
+
+ private:
+  class Growing;
+};
+
+/// Patches, by their indices.
+struct RayPatches {
+  std::vector<RayPatch> patches;
+  float largest_coordinate = 0;  ///< its magnitude
+
+  /// Throws InvalidArgument, with the position, for a patch that is a box with an interior.
+  explicit RayPatches(const PatchTree& tree);
+};
+
+}  // namespace shaftcull::kernel

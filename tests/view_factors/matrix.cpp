@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: MIT
+/// View factors of all pairs: published values, sums of closed rooms, and what is promised of the matrix.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "caught.hpp"
+#include "instruction_sets.hpp"
+#include "message_of.hpp"
+#include "shaftcull/shaftcull.hpp"
+#include "view_factors/inward_boxes.hpp"
+
+#if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
+#include <oneapi/tbb/task_arena.h>
+#endif
+
+namespace shaftcull {
+namespace {
+
+using testing::HasSubstr;
+
+/// Twice the area of a polygon is the length of this sum.
+double area_of(const std::vector<Vec3>& corners) {
+  double normal[3] = {};
+  for (std::size_t c = 2; c < corners.size(); ++c) {
+    for (std::size_t k = 0; k != 3; ++k) {
+      const std::size_t i = (k + 1) % 3;
+      const std::size_t j = (k + 2) % 3;
+      normal[k] += (double{corners[c - 1][i]} - corners[0][i]) * (double{corners[c][j]} - corners[0][j]) -
+                   (double{corners[c - 1][j]} - corners[0][j]) * (double{corners[c][i]} - corners[0][i]);
+    }
+  }
+  return std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]) / 2;
+}
+
+void expect_same(const ViewFactors& found, const ViewFactors& right) {
+  EXPECT_EQ(found.first, right.first);
+  EXPECT_EQ(found.column, right.column);
+  EXPECT_EQ(found.factor, right.factor);
+  EXPECT_EQ(found.sum, right.sum);
+  EXPECT_EQ(found.error, right.error);
+  EXPECT_EQ(found.left_out, right.left_out);
+  EXPECT_EQ(found.counts, right.counts);
+}
+
+TEST(ViewFactors, OfACubeAreThePublishedOnes) {
+  RadiatingScene cube;
+  cube.add_box({{0, 0, 0}, {1, 1, 1}}, 1, true);
+  const ViewFactors factors = view_factors(cube.patches(), {});
+  ASSERT_EQ(factors.size(), 6U);
+  EXPECT_EQ(factors.counts.clear, 15U);
+  for (std::size_t i = 0; i != 6; ++i) {
+    EXPECT_NEAR(factors.sum[i], 1, 1e-9);
+    EXPECT_EQ(factors.error[i], 0);
+    EXPECT_EQ(factors.area[i], 1);
+    for (std::size_t j = 0; j != 6; ++j) {
+      // J. R. Howell's catalogue, C-11 and C-14.
+      const double right = i == j ? 0 : i / 2 == j / 2 ? 0.19982490 : 0.20004378;
+      EXPECT_NEAR(factors(i, j), right, 1e-8) << i << ", " << j;
+    }
+  }
+}
+
+// A cube in a cube: the inner one sees nothing but the outer one, and what both exchange is the inner one's area.
+TEST(ViewFactors, OfACubeInACubeAreThoseOfConvexBodies) {
+  RadiatingScene scene;
+  scene.add_box({{-1, -1, -1}, {1, 1, 1}}, 1, false);
+  scene.add_box({{-3, -3, -3}, {3, 3, 3}}, 4, true);
+  const ViewFactors factors = view_factors(scene.patches(), scene.occluders());
+  EXPECT_GT(factors.counts.undecided, 0U);
+  double arriving = 0;
+  double outer_area = 0;
+  for (std::size_t i = 0; i != scene.size(); ++i) {
+    EXPECT_NEAR(factors.sum[i], 1, 4e-3) << i;
+    EXPECT_LE(std::fabs(factors.sum[i] - 1), 6 * factors.error[i] + 1e-6) << i;
+    if (i < 6) {
+      for (std::size_t j = 0; j != 6; ++j) EXPECT_EQ(factors(i, j), 0);
+      continue;
+    }
+    outer_area += factors.area[i];
+    for (std::size_t j = 0; j != 6; ++j) arriving += factors.area[i] * factors(i, j);
+  }
+  EXPECT_NEAR(arriving / outer_area, 24.0 / 216, 1e-4);
+}
+
+// A square hides half as large a one behind it, in part.
+TEST(ViewFactors, OfSquaresWithASquareBetweenAreThatOfTheDefinition) {
+  RadiatingScene scene;
+  scene.add({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0});
+  scene.add({0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1});
+  Occluders between;
+  between.add_polygons(
+      std::vector<Vec3>{{0.25F, 0.25F, 0.5F}, {0.75F, 0.25F, 0.5F}, {0.75F, 0.75F, 0.5F}, {0.25F, 0.75F, 0.5F}},
+      std::vector<std::size_t>{0, 4});
+  constexpr int n = 48;
+  double sum = 0;
+  for (int i = 0; i != n * n; ++i) {
+    for (int j = 0; j != n * n; ++j) {
+      const double p[2] = {(i % n + 0.5) / n, (i / n + 0.5) / n};
+      const double q[2] = {(j % n + 0.5) / n, (j / n + 0.5) / n};
+      const double x = q[0] - p[0];
+      const double y = q[1] - p[1];
+      // What passes through an edge of the square in between counts half.
+      const auto hidden = [](double off) { return off < 0.25 - 1e-9 ? 1.0 : off < 0.25 + 1e-9 ? 0.5 : 0.0; };
+      const double seen = 1 - hidden(std::fabs(p[0] + x / 2 - 0.5)) * hidden(std::fabs(p[1] + y / 2 - 0.5));
+      sum += seen / ((x * x + y * y + 1) * (x * x + y * y + 1));
+    }
+  }
+  const double right = sum / (std::numbers::pi * n * n * n * n);
+  ViewFactorOptions many;
+  many.error = 0;
+  const ViewFactors factors = view_factors(scene.patches(), between, many);
+  ASSERT_EQ(factors.counts.undecided, 1U);
+  EXPECT_NEAR(factors(0, 1), right, 1e-3);
+  EXPECT_LE(std::fabs(factors(0, 1) - right), 6 * factors.error[0] + 2e-4);
+  EXPECT_EQ(factors(0, 1), factors(1, 0));
+}
+
+TEST(ViewFactors, SumToOneInAFurnishedRoom) {
+  const RadiatingScene room = furnished_room(3);
+  const ViewFactors factors = view_factors(room.patches(), room.occluders());
+  double squares = 0;
+  double expected = 0;
+  for (std::size_t i = 0; i != room.size(); ++i) {
+    if (factors.first[i] == factors.first[i + 1]) continue;  // on the floor, under a box
+    const bool is_of_floor = room.patch(i)[0][2] == 0 && room.patch(i)[2][2] == 0;
+    if (is_of_floor) continue;  // parts of these may be under a box
+    EXPECT_NEAR(factors.sum[i], 1, 5e-3) << i;
+    squares += (factors.sum[i] - 1) * (factors.sum[i] - 1);
+    expected += factors.error[i] * factors.error[i];
+  }
+  // Estimated errors are what errors are, within a factor.
+  EXPECT_LT(squares, 9 * expected);
+  EXPECT_GT(squares, expected / 100);
+}
+
+TEST(ViewFactors, AreThoseOfPairsOrLess) {
+  const RadiatingScene room = furnished_room(1);
+  const PatchSet patches = room.patches();
+  const Occluders occluders = room.occluders();
+  const ViewFactors factors = view_factors(patches, occluders);
+  std::vector<Sight> sights(room.size() * room.size(), Sight::facing_away);
+  const Visibility all = collect_visibility(patches, occluders);
+  const auto note = [&](std::uint32_t i, std::uint32_t j, Sight sight) {
+    sights[i * room.size() + j] = sights[j * room.size() + i] = sight;
+  };
+  for (const PairBlock& block : all.blocks) {
+    for (const std::uint32_t i : patches.order().subspan(block.a.first, block.a.count)) {
+      for (const std::uint32_t j : patches.order().subspan(block.b.first, block.b.count)) note(i, j, block.sight);
+    }
+  }
+  for (const PatchPair& pair : all.undecided) note(pair.a, pair.b, Sight::undecided);
+  std::size_t partly = 0;
+  for (std::size_t i = 0; i != room.size(); ++i) {
+    for (std::size_t j = 0; j != room.size(); ++j) {
+      const Sight sight = sights[i * room.size() + j];
+      if (i == j || sight == Sight::facing_away || sight == Sight::occluded) {
+        EXPECT_EQ(factors(i, j), 0) << i << ", " << j;
+        continue;
+      }
+      const double most = view_factor(room.patch(i), room.patch(j));
+      EXPECT_LE(factors(i, j), most * (1 + 1e-6) + 1e-11);
+      if (sight == Sight::clear) {
+        EXPECT_NEAR(factors(i, j), most, 1e-6 * most + 1e-11);
+      }
+      if (sight == Sight::undecided && factors(i, j) > 0 && factors(i, j) < 0.99 * most) ++partly;
+      EXPECT_NEAR(factors.area[i] * factors(i, j), factors.area[j] * factors(j, i), 1e-15 * factors.area[i]);
+    }
+    EXPECT_NEAR(factors.area[i], area_of(room.patch(i)), 1e-12 * factors.area[i]);
+  }
+  EXPECT_GT(partly, 20U);
+}
+
+TEST(ViewFactors, AreRowsInOrder) {
+  const RadiatingScene room = furnished_room(1);
+  const ViewFactors factors = view_factors(room.patches(), room.occluders());
+  ASSERT_EQ(factors.first.size(), room.size() + 1);
+  ASSERT_EQ(factors.first.back(), factors.column.size());
+  ASSERT_EQ(factors.column.size(), factors.factor.size());
+  for (std::size_t i = 0; i != room.size(); ++i) {
+    double sum = 0;
+    for (std::size_t k = factors.first[i]; k != factors.first[i + 1]; ++k) {
+      if (k != factors.first[i]) {
+        EXPECT_LT(factors.column[k - 1], factors.column[k]);
+      }
+      EXPECT_GT(factors.factor[k], 0);
+      EXPECT_EQ(factors(i, factors.column[k]), factors.factor[k]);
+      EXPECT_GT(factors(factors.column[k], i), 0);
+      sum += factors.factor[k];
+    }
+    EXPECT_EQ(factors.sum[i], sum);
+  }
+  EXPECT_EQ(factors(0, 0), 0);
+}
+
+TEST(ViewFactors, AreTheSameBitsOnEveryInstructionSetAndForAnyMemory) {
+  const RadiatingScene room = furnished_room(1);
+  const PatchSet patches = room.patches();
+  const Occluders occluders = room.occluders();
+  const ViewFactors right = view_factors(patches, occluders);
+  EXPECT_GT(right.counts.undecided, 200U);
+  on_each_instruction_set([&] {
+    expect_same(view_factors(patches, occluders), right);
+    ViewFactorOptions little;
+    little.memory = std::size_t{1} << 20U;
+    expect_same(view_factors(patches, occluders, little), right);
+  });
+#if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
+  for (const int threads : {1, 3}) {
+    tbb::task_arena arena(threads);
+    arena.execute([&] { expect_same(view_factors(patches, occluders), right); });
+  }
+#endif
+}
+
+TEST(ViewFactors, HaveFewerErrorsWithMoreRays) {
+  const RadiatingScene room = furnished_room(1);
+  const auto error_with = [&](std::uint32_t rays, double error) {
+    ViewFactorOptions options;
+    options.rays = rays;
+    options.error = error;
+    const ViewFactors factors = view_factors(room.patches(), room.occluders(), options);
+    return *std::max_element(factors.error.begin(), factors.error.end());
+  };
+  EXPECT_LT(4 * error_with(1024, 0), error_with(16, 0));
+  EXPECT_LT(2 * error_with(65536, 1e-5), error_with(65536, 1e-2));
+}
+
+TEST(ViewFactors, DependOnTheSeedWithinTheirErrors) {
+  const RadiatingScene room = furnished_room(1);
+  const PatchSet patches = room.patches();
+  const Occluders occluders = room.occluders();
+  ViewFactorOptions other;
+  other.seed = 2;
+  const ViewFactors one = view_factors(patches, occluders);
+  const ViewFactors two = view_factors(patches, occluders, other);
+  EXPECT_NE(one.factor, two.factor);
+  for (std::size_t i = 0; i != room.size(); ++i) EXPECT_NEAR(one.sum[i], two.sum[i], 8 * one.error[i] + 1e-9);
+}
+
+TEST(ViewFactors, BookWhatIsLeftOut) {
+  const RadiatingScene room = furnished_room(1);
+  const PatchSet patches = room.patches();
+  const Occluders occluders = room.occluders();
+  const ViewFactors all = view_factors(patches, occluders);
+  ViewFactorOptions fewer;
+  fewer.least = 0.01;
+  const ViewFactors some = view_factors(patches, occluders, fewer);
+  EXPECT_EQ(some.sum, all.sum);
+  EXPECT_LT(some.factor.size(), all.factor.size());
+  for (std::size_t i = 0; i != room.size(); ++i) {
+    double sum = some.left_out[i];
+    for (std::size_t j = 0; j != room.size(); ++j) {
+      const bool is_small = std::max(all(i, j), all(j, i)) < fewer.least;
+      EXPECT_EQ(some(i, j), is_small ? 0 : all(i, j));
+      sum += some(i, j);
+    }
+    EXPECT_NEAR(sum, all.sum[i], 1e-14);
+  }
+}
+
+TEST(ViewFactors, OfNothingAreNone) {
+  const ViewFactors none = view_factors({}, {});
+  EXPECT_EQ(none.size(), 0U);
+  EXPECT_TRUE(none.factor.empty());
+  RadiatingScene one;
+  one.add({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0});
+  const ViewFactors alone = view_factors(one.patches(), {});
+  EXPECT_EQ(alone.size(), 1U);
+  EXPECT_EQ(alone.sum[0], 0);
+  // A patch without an area radiates nothing.
+  one.add({0, 0, 1}, {0, 0, 1}, {1, 1, 1}, {1, 1, 1});
+  const ViewFactors flat = view_factors(one.patches(), {});
+  EXPECT_EQ(flat.area[1], 0);
+  EXPECT_TRUE(flat.factor.empty());
+}
+
+TEST(ViewFactors, OfBoxesWithPlanesAreThoseOfTheirRectangles) {
+  const std::vector<Box> boxes{{{0, 0, 0}, {1, 1, 0}}, {{0, 0, 1}, {1, 1, 1}}, {{0, 0, 0}, {0, 1, 1}}};
+  const std::vector<Plane> planes{{{0, 0, 1}, 0}, {{0, 0, -1}, -1}, {{1, 0, 0}, 0}};
+  const ViewFactors factors = view_factors(PatchSet(boxes, planes), {});
+  EXPECT_NEAR(factors(0, 1), 0.19982490, 1e-8);
+  EXPECT_NEAR(factors(0, 2), 0.20004378, 1e-8);
+  EXPECT_NEAR(factors(2, 1), 0.20004378, 1e-8);
+}
+
+TEST(ViewFactors, StopWhereTheirProgressSaysSo) {
+  const RadiatingScene room = furnished_room(1);
+  ViewFactorOptions options;
+  std::uint64_t last = 0;
+  std::uint64_t total = 0;
+  options.progress = [&](const VisibilityProgress& now) {
+    last = now.done;
+    total = now.total;
+    return true;
+  };
+  static_cast<void>(view_factors(room.patches(), room.occluders(), options));
+  EXPECT_EQ(last, total);
+  EXPECT_EQ(total, room.size() * (room.size() - 1) / 2);
+  options.progress = [](const VisibilityProgress&) { return false; };
+  EXPECT_THROW(static_cast<void>(view_factors(room.patches(), room.occluders(), options)), Cancelled);
+}
+
+TEST(ViewFactors, RefuseWhatTheyCannotBeOf) {
+  const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0.5F}};
+  const std::vector<std::size_t> first{0, 3};
+  const auto refused = [&](const PatchSet& patches, const ViewFactorOptions& options = {}) {
+    return message_of([&] { static_cast<void>(view_factors(patches, {}, options)); });
+  };
+  EXPECT_THAT(refused(PatchSet(corners, first, PatchSides::both)), HasSubstr("seen from both sides"));
+  const Box unit{{0, 0, 0}, {1, 1, 1}};
+  EXPECT_THAT(refused(PatchSet(std::vector<Box>{unit})), HasSubstr("patches have no planes"));
+  EXPECT_THAT(refused(PatchSet(std::vector<Box>{unit}, std::vector<Plane>{{{0, 0, 1}, 0}})),
+              HasSubstr("patch 0 is a box that is not flat"));
+  const PatchSet patches(corners, first);
+  const auto with = [&](const auto& change) {
+    ViewFactorOptions options;
+    change(options);
+    return refused(patches, options);
+  };
+  EXPECT_EQ(with([](auto& of) { of.rays = 0; }), "rays is 0; a pair gets 1 to 65536");
+  EXPECT_EQ(with([](auto& of) { of.rays = 65537; }), "rays is 65537; a pair gets 1 to 65536");
+  EXPECT_THAT(with([](auto& of) { of.error = -1; }), HasSubstr("error is -1"));
+  EXPECT_THAT(with([](auto& of) { of.error = std::numeric_limits<double>::quiet_NaN(); }), HasSubstr("error is"));
+  EXPECT_THAT(with([](auto& of) { of.least = -1; }), HasSubstr("least is -1"));
+  EXPECT_THAT(with([](auto& of) { of.tolerance = -1; }), HasSubstr("tolerance is -1"));
+  EXPECT_THAT(with([](auto& of) { of.memory = 1; }), HasSubstr("memory is 1 bytes"));
+}
+
+}  // namespace
+}  // namespace shaftcull
