@@ -30,9 +30,10 @@ namespace {
 using namespace shaftcull::cli;
 
 #ifdef SHAFTCULL_CLI_WITH_VERIFY
-constexpr std::array subcommands{add_demo, add_cull, add_sees, add_batch, add_stats, add_draw, add_verify, add_hash};
+constexpr std::array subcommands{add_demo,  add_cull, add_sees,   add_factors, add_batch,
+                                 add_stats, add_draw, add_verify, add_hash};
 #else
-constexpr std::array subcommands{add_demo, add_cull, add_sees, add_batch, add_stats, add_draw, add_hash};
+constexpr std::array subcommands{add_demo, add_cull, add_sees, add_factors, add_batch, add_stats, add_draw, add_hash};
 #endif
 
 std::string version() {
@@ -88,7 +89,8 @@ int run(const std::vector<std::string>& words) {
       "SHAFTCULL_ISA in the environment forces an instruction set; this machine has " + available_names() +
       ".\n"
       "Exit code: 0; 2 if an option, the environment or a file cannot be used; 128 + the signal's number if SIGINT or\n"
-      "SIGTERM ended demo, verify or hash, which then show what they have, sees or batch; 1 after any other failure.");
+      "SIGTERM ended demo, verify or hash, which then show what they have, sees, factors or batch; 1 after any other "
+      "failure.");
   for (const auto add : subcommands) add(program);
   try {
     // The last one first, without the name of the program.

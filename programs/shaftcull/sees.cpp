@@ -13,7 +13,6 @@
 
 #include "number.hpp"
 #include "peak_memory.hpp"
-#include "rooms.hpp"
 #include "sees_estimate.hpp"
 #include "sees_job.hpp"
 #include "sees_ranks.hpp"
@@ -87,33 +86,17 @@ void add_sees(CLI::App& program) {
   const auto options = std::make_shared<SeesOptions>();
   CLI::App& sees = *program.add_subcommand(
       "sees", "Tell of all pairs of patches of a mesh file which see each other for certain, and which cannot");
-  CLI::Option* scene = sees.add_option("scene,--scene", options->paths,
-                                       "Mesh files of one scene, in any format that assimp reads; - is standard input")
-                           ->type_name("FILE");
-  CLI::Option* rooms = add_number(sees, "--rooms", options->rooms, 1, most_rooms,
-                                  "Instead of a file: so many rooms with doors and furniture, made from --seed")
-                           ->type_name("N");
-  sees.add_flag("--by-material", options->by_material, "Objects are materials, not nodes of the file")->excludes(rooms);
-  add_number(sees, "--scale", options->choice.scale, 1e-9, 1e9, "Multiply coordinates: 0.001 for a file in millimetres")
-      ->type_name("FACTOR");
-  add_number(
-      sees, "--patches", options->choice.patch_size, 1e-30, 1e30,
-      "Triangles are split until no edge is longer (default: a 32nd of the scene, or more for 500 million pairs)")
-      ->type_name("SIZE");
-  CLI::Option* two_sided =
-      sees.add_flag("--two-sided", options->choice.two_sided,
-                    "Patches see on both sides; without it, where the right-hand normal of their triangle points");
-  sees.add_flag("--flip", options->choice.flip, "Patches see on the other side: normals of the file point away from it")
-      ->excludes(two_sided);
-  sees.add_option("--solid", options->choice.solid,
-                  "Objects that are solid, by name or pattern ('wall*'): closed and convex; others are skipped")
-      ->type_name("NAME");
-  sees.add_flag("!--no-solids", options->choice.finds_solids,
-                "Look for no solids; without it, bodies and flat faces that hide pairs are found in the triangles");
-  add_number(sees, "--rays", options->content.rays, 1, 1'000'000,
+  options->scene.add(
+      sees,
+      "Triangles are split until no edge is longer (default: a 32nd of the scene, or more for 500 million pairs)");
+  sees.add_flag("--two-sided", options->scene.choice.two_sided,
+                "Patches see on both sides; without it, where the right-hand normal of their triangle points")
+      ->excludes("--flip");
+  add_number(sees, "--rays", options->content.rays, 1, 65'536,
              "Decide undecided pairs by so many rays each; solids then hide nothing of what lies inside them")
       ->type_name("S");
-  add_number(sees, "--seed", options->seed, 0, largest_seed, "Seed of --rays and --rooms (default: 1)")->type_name("S");
+  add_number(sees, "--seed", options->scene.seed, 0, largest_seed, "Seed of --rays and --rooms (default: 1)")
+      ->type_name("S");
   CLI::Option* out =
       sees.add_option("--out", options->out,
                       "Write all answers to a file: .npz, for NumPy, or .csv; - is standard output (CSV)")
@@ -149,14 +132,8 @@ void add_sees(CLI::App& program) {
       "undecided\n"
       "pairs how much is seen. Ctrl-C (SIGINT, or SIGTERM) ends it early, without a file; a second one ends it at\n"
       "once.");
-  sees.callback([options, scene, rooms] {
-    if (scene->count() == 0 && rooms->count() == 0) {
-      throw InvalidArgument("sees: in what file? Give shaftcull sees FILE, or shaftcull sees --rooms 6");
-    }
-    if (scene->count() != 0 && rooms->count() != 0) {
-      throw InvalidArgument(fmt::format("sees: the file {} and --rooms {} do not go together; give one of them",
-                                        fmt::join(options->paths, ", "), options->rooms));
-    }
+  sees.callback([options] {
+    options->scene.require_scene("sees");
     run(*options);
   });
 }

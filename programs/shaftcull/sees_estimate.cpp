@@ -11,9 +11,9 @@
 
 #include <fmt/format.h>
 
+#include "patch_rays.hpp"
 #include "printable.hpp"
 #include "shaftcull/many.hpp"
-#include "sight_rays.hpp"
 #include "table.hpp"
 
 namespace shaftcull::cli {
@@ -111,15 +111,17 @@ class Sampler {
 
   /// On one thread, of some pairs in leaps through those that were kept.
   double seconds_per_pair_of_rays() const {
-    const SightRays rays = rays_of(scene_, work_);
+    const PatchRays rays(scene_, work_.content.rays, work_.seed);
     const auto begin = Clock::now();
     const std::size_t count = some_->pairs.size();
     std::size_t asked = 0;
     do {
       const std::size_t i = asked * 7919 % count;
       const std::size_t first = some_->first_candidate[i];
-      static_cast<void>(rays.seen(scene_.patches, a_.patches[some_->pairs[i].a], b_.patches[some_->pairs[i].b],
-                                  std::span(some_->candidates).subspan(first, some_->first_candidate[i + 1] - first)));
+      const PatchPair pair{a_.patches[some_->pairs[i].a], b_.patches[some_->pairs[i].b]};
+      const std::size_t places[] = {0, some_->first_candidate[i + 1] - first};
+      std::uint32_t seen = 0;
+      rays.count_seen({{&pair, 1}, places, std::span(some_->candidates).subspan(first, places[1])}, {&seen, 1});
     } while (++asked < count && Clock::now() - begin < time_for_rays);
     return elapsed(begin) / static_cast<double>(asked);
   }

@@ -9,22 +9,12 @@
 
 #include <fmt/format.h>
 
-#include "mesh_files.hpp"
-#include "rooms.hpp"
 #include "shaftcull/shaftcull.hpp"
 
 namespace shaftcull::cli {
 namespace {
 
 bool is_output(const std::string& path) { return !path.empty() && is_standard_output(path); }
-
-std::string source_of(const SeesOptions& options) {
-  if (options.rooms != 0) return fmt::format("{} room{}", options.rooms, options.rooms == 1 ? "" : "s");
-  const std::size_t more = options.paths.size() - 1;
-  const std::string& first = options.paths.front();
-  return (first == "-" ? "standard input" : first) +
-         (more == 0 ? "" : fmt::format(" and {} more file{}", more, more == 1 ? "" : "s"));
-}
 
 /// A line about normals that seem to point the wrong way; empty if they do not.
 std::string hint_of(const SeesReport& report, const SeesChoice& choice) {
@@ -39,7 +29,7 @@ std::string hint_of(const SeesReport& report, const SeesChoice& choice) {
 
 }  // namespace
 
-SeesJob::SeesJob(const SeesOptions& options) : options_(options), source_(source_of(options)) {}
+SeesJob::SeesJob(const SeesOptions& options) : options_(options), source_(options.scene.source()) {}
 
 void SeesJob::check() const {
   const std::array<std::pair<const char*, const std::string&>, 3> files{
@@ -56,14 +46,11 @@ void SeesJob::check() const {
 }
 
 void SeesJob::prepare() {
-  scene_.emplace(make_sees_scene(options_.rooms != 0
-                                     ? make_rooms(options_.rooms, options_.seed)
-                                     : load_mesh_files(options_.paths, {.by_material = options_.by_material}),
-                                 options_.choice, source_));
+  scene_.emplace(make_sees_scene(options_.scene.load(), options_.scene.choice, source_));
   patches_.emplace(*scene_);
 }
 
-SeesWork SeesJob::work() const { return {options_.content, options_.seed, options_.megabytes << 20, {}, {}}; }
+SeesWork SeesJob::work() const { return {options_.content, options_.scene.seed, options_.megabytes << 20, {}, {}}; }
 
 std::span<SightSink* const> SeesJob::open() {
   if (!options_.out.empty()) {
@@ -98,7 +85,7 @@ void SeesJob::finish(SeesReport report, const SeesPictures& pictures) {
     pictures.ply->finish();
   }
   if (objects_) report.object_pairs = objects_->pairs();
-  const std::string hint = hint_of(report, options_.choice);
+  const std::string hint = hint_of(report, options_.scene.choice);
   if (!hint.empty()) static_cast<void>(std::fputs(hint.c_str(), stderr));
   // Where a file is standard output, the report goes elsewhere.
   const bool is_taken = is_output(options_.out) || is_output(options_.svg) || is_output(options_.ply);

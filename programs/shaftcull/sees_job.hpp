@@ -12,18 +12,15 @@
 
 #include "instruction_set.hpp"
 #include "output_file.hpp"
+#include "scene_options.hpp"
 #include "sees_report.hpp"
 #include "sees_run.hpp"
 
 namespace shaftcull::cli {
 
 struct SeesOptions {
-  std::vector<std::string> paths;
-  bool by_material = false;
-  std::size_t rooms = 0;
-  SeesChoice choice;
+  SceneOptions scene;
   SightContent content;
-  std::uint64_t seed = 1;
   std::size_t megabytes = 256;
   std::string out;
   std::string svg;

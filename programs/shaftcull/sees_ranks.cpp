@@ -105,7 +105,7 @@ class RankedSees {
                     {"scene", fmt::format("{} patches, {:016x}", job_.patches().size(), scene)},
                     {"rays", fmt::format("{}", options.content.rays)},
                     {"candidates", options.content.candidates ? "written" : "not written"},
-                    {"seed", fmt::format("{}", options.seed)}};
+                    {"seed", fmt::format("{}", options.scene.seed)}};
     const std::string text = batch::text_of(description_) + options.out + '\n' + options.svg + '\n' + options.ply +
                              (options.objects ? "\nobjects" : "");
     batch::agree_on(ranks_, batch::checksum(std::as_bytes(std::span(text))),

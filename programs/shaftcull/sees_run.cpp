@@ -6,6 +6,8 @@
 #include <mutex>
 #include <utility>
 
+#include "patch_rays.hpp"
+
 namespace shaftcull::cli {
 
 /// How many rays of undecided pairs arrive, found where resolve() is called, by many threads, and taken where answers
@@ -13,7 +15,7 @@ namespace shaftcull::cli {
 class UnitQuestion::RayAnswers {
  public:
   RayAnswers(const SeesScene& scene, const SeesWork& work)
-      : scene_(scene), rays_(rays_of(scene, work)), stops_(work.stops) {}
+      : rays_(scene, work.content.rays, work.seed), stops_(work.stops) {}
 
   void find(const UndecidedPairs& undecided) {
     if (undecided.pairs.empty()) return;
@@ -43,18 +45,19 @@ class UnitQuestion::RayAnswers {
   }
 
   [[nodiscard]] std::vector<std::uint32_t> seen_of(const UndecidedPairs& undecided) const {
+    constexpr std::size_t at_once = 64;  // between two looks at the clock
     std::vector<std::uint32_t> seen(undecided.pairs.size());
-    for (std::size_t i = 0; i < seen.size(); ++i) {
+    for (std::size_t i = 0; i < seen.size(); i += at_once) {
       if (stops_ && stops_()) throw Cancelled("rays were cancelled");
-      const std::size_t first = undecided.first_candidate[i];
-      seen[i] = rays_.seen(scene_.patches, undecided.pairs[i].a, undecided.pairs[i].b,
-                           undecided.candidates.subspan(first, undecided.first_candidate[i + 1] - first));
+      const std::size_t count = std::min(at_once, seen.size() - i);
+      rays_.count_seen(
+          {undecided.pairs.subspan(i, count), undecided.first_candidate.subspan(i, count + 1), undecided.candidates},
+          std::span(seen).subspan(i, count));
     }
     return seen;
   }
 
-  const SeesScene& scene_;
-  SightRays rays_;
+  PatchRays rays_;
   const std::function<bool()>& stops_;
   std::mutex mutex_;
   std::map<std::uint64_t, std::vector<std::uint32_t>> found_;
@@ -88,14 +91,6 @@ class UnitKeeper final : public SightSink {
 };
 
 }  // namespace
-
-SightRays rays_of(const SeesScene& scene, const SeesWork& work) {
-  SightRays rays(work.content.rays, work.seed, scene.planes.empty());
-  for (const std::vector<std::uint32_t>& triangles : scene.occluder_triangles) {
-    rays.add_occluder(scene.mesh.triangles, triangles);
-  }
-  return rays;
-}
 
 SeesCounts& SeesCounts::operator+=(const SeesCounts& more) noexcept {
   for (const Sight sight : {Sight::undecided, Sight::clear, Sight::occluded, Sight::facing_away}) {

@@ -15,7 +15,6 @@
 #include "sees_blocks.hpp"
 #include "sees_scene.hpp"
 #include "shaftcull/visibility.hpp"
-#include "sight_rays.hpp"
 
 namespace shaftcull::cli {
 
@@ -65,9 +64,6 @@ class SightSink {
   /// All answers were taken.
   virtual void finish() = 0;
 };
-
-/// Rays against the triangles of the scene's occluders.
-[[nodiscard]] SightRays rays_of(const SeesScene& scene, const SeesWork& work);
 
 /// A sink that adds up answers which several processes take.
 class SummingSink : public SightSink {

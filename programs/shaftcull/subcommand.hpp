@@ -11,6 +11,7 @@ namespace shaftcull::cli {
 void add_demo(CLI::App& program);
 void add_cull(CLI::App& program);
 void add_sees(CLI::App& program);
+void add_factors(CLI::App& program);
 void add_batch(CLI::App& program);
 void add_stats(CLI::App& program);
 void add_draw(CLI::App& program);

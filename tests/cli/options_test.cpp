@@ -30,7 +30,7 @@ const std::vector<NumberOption> whole_numbers{
     {{"cull", "a.obj"}, "--random", "1", "1000000"},
     {{"cull", "a.obj", "--random", "1"}, "--seed", "0", "18446744073709551615"},
     {{"sees"}, "--rooms", "1", "10000"},
-    {{"sees", "a.obj"}, "--rays", "1", "1000000"},
+    {{"sees", "a.obj"}, "--rays", "1", "65536"},
     {{"sees", "a.obj"}, "--memory", "1", "1000000"},
     {{"sees", "a.obj"}, "--threads", "0", "1024"},
     {{"stats"}, "--shafts", "1", "100000000"},

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+/// `shaftcull factors`: view factors between all facets of a mesh.
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "factors_result.hpp"
+#include "instruction_set.hpp"
+#include "interrupt.hpp"
+#include "number.hpp"
+#include "peak_memory.hpp"
+#include "progress.hpp"
+#include "scene_options.hpp"
+#include "sees.hpp"
+#include "sees_objects.hpp"
+#include "shaftcull/shaftcull.hpp"
+#include "subcommand.hpp"
+#include "table.hpp"
+#include "workers.hpp"
+
+namespace shaftcull::cli {
+namespace {
+
+struct FactorsOptions {
+  SceneOptions scene;
+  ViewFactorOptions ask;
+  std::size_t megabytes = 256;
+  std::string out;
+  std::string svg;
+  std::string ply;
+  bool objects = false;
+  std::string up = "z";
+  std::string format = "text";
+  int threads = 0;
+  InstructionSet isa;
+};
+
+/// Throws InvalidArgument for files that cannot all be written.
+void check(const FactorsOptions& options) {
+  if (!options.out.empty()) require_factors_name(options.out);
+  const std::pair<const char*, const std::string&> files[] = {
+      {"--out", options.out}, {"--svg", options.svg}, {"--ply", options.ply}};
+  for (std::size_t i = 0; i < std::size(files); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const auto& [option, path] = files[j];
+      const auto& [other_option, other_path] = files[i];
+      if (path.empty() || other_path.empty()) continue;
+      if (path != other_path && !(is_standard_output(path) && is_standard_output(other_path))) continue;
+      throw InvalidArgument(
+          fmt::format("{} {} {} {}: one cannot be both; give two files", option, path, other_option, other_path));
+    }
+  }
+}
+
+/// The scene, with facets as patches.
+FactorsResult prepared(const FactorsOptions& options) {
+  const std::string source = options.scene.source();
+  SeesChoice choice = options.scene.choice;
+  if (choice.patch_size == 0) choice.patch_size = 1e30;  // facets are whole
+  FactorsResult result{.source = source,
+                       .scene = make_sees_scene(options.scene.load(), choice, source),
+                       .patches = {},
+                       .factors = {},
+                       .patch_size = options.scene.choice.patch_size,
+                       .most_rays = options.ask.rays,
+                       .shows_objects = options.objects};
+  result.patches = factor_patches(result.scene.mesh.triangles, options.scene.choice.patch_size);
+  if (options.objects && result.scene.mesh.names.size() > most_objects_in_pairs) {
+    throw InvalidArgument(fmt::format("--objects: a table of {} objects is too large; at most {} can be shown",
+                                      grouped(result.scene.mesh.names.size()), grouped(most_objects_in_pairs)));
+  }
+  return result;
+}
+
+void find(FactorsResult& result, const FactorsOptions& options) {
+  const Workers workers(options.threads);
+  Progress progress;
+  const InterruptWatch interrupt;
+  const auto begin = std::chrono::steady_clock::now();
+  const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
+  VisibilityProgress last{};
+  ViewFactorOptions ask = options.ask;
+  ask.seed = options.scene.seed;
+  ask.memory = options.megabytes << 20;
+  ask.tolerance = result.scene.tolerance;
+  ask.progress = [&](const VisibilityProgress& now) {
+    last = now;
+    progress.update(progress_text(now, seconds()));
+    return interrupt.signal() == 0;
+  };
+  try {
+    workers.run([&] {
+      const PatchSet patches(result.patches.corners, result.patches.first);
+      result.factors = view_factors(patches, result.scene.occluders, ask);
+      result.threads = concurrency();
+    });
+  } catch (const Cancelled&) {
+    throw Interrupted(interrupt.signal(), fmt::format("factors: interrupted after {} of {} pairs; no file was written",
+                                                      grouped(last.done), grouped(last.total)));
+  }
+  result.seconds = seconds();
+  result.memory = peak_memory();
+}
+
+void run(const FactorsOptions& options) {
+  check(options);
+  options.isa.select();
+  FactorsResult result = prepared(options);
+  find(result, options);
+  if (!options.out.empty()) write_factors(result, options.out);
+  if (!options.svg.empty()) write_sky_svg(result, options.svg, static_cast<std::size_t>(options.up[0] - 'x'));
+  if (!options.ply.empty()) write_sky_ply(result, options.ply);
+  // Where a file is standard output, the report goes elsewhere.
+  const auto is_output = [](const std::string& path) { return !path.empty() && is_standard_output(path); };
+  const bool is_taken = is_output(options.out) || is_output(options.svg) || is_output(options.ply);
+  std::fputs(format_report(result, report_format(options.format)).c_str(), is_taken ? stderr : stdout);
+}
+
+}  // namespace
+
+void add_factors(CLI::App& program) {
+  const auto options = std::make_shared<FactorsOptions>();
+  CLI::App& factors = *program.add_subcommand(
+      "factors", "Compute view factors between all facets of a mesh file, and how much sky each of them sees");
+  options->scene.add(factors, "Facets are cut until no edge is longer (default: facets are whole, as in the file)");
+  add_number(factors, "--rays", options->ask.rays, 1, 65'536,
+             "Most rays of a pair that is seen in part (default: 4096)")
+      ->type_name("S");
+  add_number(factors, "--error", options->ask.error, 0, 1,
+             "Fewer rays where the standard error of a factor is at most this (default: 0.00002)")
+      ->type_name("E");
+  add_number(factors, "--min", options->ask.least, 0, 1, "Leave out smaller factors, and tell what they add up to")
+      ->type_name("F");
+  add_number(factors, "--seed", options->scene.seed, 0, largest_seed, "Seed of rays and --rooms (default: 1)")
+      ->type_name("S");
+  factors
+      .add_option("--out", options->out,
+                  "Write all factors to a file: .npz, for scipy.sparse.load_npz(), or .csv; - is standard output (CSV)")
+      ->type_name("FILE");
+  CLI::Option* svg = factors
+                         .add_option("--svg", options->svg,
+                                     "Draw patches from above, coloured by the sky they see; - is standard output")
+                         ->type_name("FILE");
+  factors.add_option("--ply", options->ply, "Write patches as a mesh, coloured by the sky they see: face i is patch i")
+      ->type_name("FILE");
+  factors.add_flag("--objects", options->objects, "Report also the factors between each two objects");
+  factors.add_option("--up", options->up, "With --svg: the axis that points up in the scene (default: z)")
+      ->check(CLI::IsMember({"x", "y", "z"}))
+      ->type_name("AXIS")
+      ->needs(svg);
+  factors.add_option("--format", options->format, "Output: text, json or csv, of each patch (default: text)")
+      ->check(CLI::IsMember({"text", "json", "csv"}))
+      ->type_name("FORMAT");
+  add_number(factors, "--memory", options->megabytes, 1, 1'000'000,
+             "MB that answers under way may take, besides the factors (default: 256)")
+      ->type_name("MB");
+  add_number(factors, "--threads", options->threads, 0, most_threads,
+             "Threads, 0 for all there are; factors do not depend on it (default: 0)")
+      ->type_name("N");
+  options->isa.add_option(factors);
+  factors.footer(
+      "The view factor from one facet to another is the share of its radiation that arrives there. Facets radiate\n"
+      "diffusely, on the side from which their corners run counterclockwise. Pairs that see all of each other are\n"
+      "integrated; of others, rays tell the visible part. Ctrl-C (SIGINT, or SIGTERM) ends it early, without a file.");
+  factors.callback([options] {
+    options->scene.require_scene("factors");
+    run(*options);
+  });
+}
+
+}  // namespace shaftcull::cli

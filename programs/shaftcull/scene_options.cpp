@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "scene_options.hpp"
+
+#include <fmt/format.h>
+
+#include "mesh_files.hpp"
+#include "number.hpp"
+#include "rooms.hpp"
+#include "shaftcull/error.hpp"
+
+namespace shaftcull::cli {
+
+void SceneOptions::add(CLI::App& subcommand, const std::string& patches) {
+  subcommand
+      .add_option("scene,--scene", paths,
+                  "Mesh files of one scene, in any format that assimp reads; - is standard input")
+      ->type_name("FILE");
+  CLI::Option* made = add_number(subcommand, "--rooms", rooms, 1, most_rooms,
+                                 "Instead of a file: so many rooms with doors and furniture, made from --seed")
+                          ->type_name("N");
+  subcommand.add_flag("--by-material", by_material, "Objects are materials, not nodes of the file")->excludes(made);
+  add_number(subcommand, "--scale", choice.scale, 1e-9, 1e9, "Multiply coordinates: 0.001 for a file in millimetres")
+      ->type_name("FACTOR");
+  add_number(subcommand, "--patches", choice.patch_size, 1e-30, 1e30, patches)->type_name("SIZE");
+  subcommand.add_flag("--flip", choice.flip, "Patches see on the other side: normals of the file point away from it");
+  subcommand
+      .add_option("--solid", choice.solid,
+                  "Objects that are solid, by name or pattern ('wall*'): closed and convex; others are skipped")
+      ->type_name("NAME");
+  subcommand.add_flag(
+      "!--no-solids", choice.finds_solids,
+      "Look for no solids; without it, bodies and flat faces that hide pairs are found in the triangles");
+}
+
+void SceneOptions::require_scene(const std::string& verb) const {
+  if (paths.empty() && rooms == 0) {
+    throw InvalidArgument(fmt::format("{0}: in what file? Give shaftcull {0} FILE, or shaftcull {0} --rooms 6", verb));
+  }
+  if (!paths.empty() && rooms != 0) {
+    throw InvalidArgument(fmt::format("{}: the file {} and --rooms {} do not go together; give one of them", verb,
+                                      fmt::join(paths, ", "), rooms));
+  }
+}
+
+std::string SceneOptions::source() const {
+  if (rooms != 0) return fmt::format("{} room{}", rooms, rooms == 1 ? "" : "s");
+  const std::size_t more = paths.size() - 1;
+  const std::string& first = paths.front();
+  return (first == "-" ? "standard input" : first) +
+         (more == 0 ? "" : fmt::format(" and {} more file{}", more, more == 1 ? "" : "s"));
+}
+
+MeshScene SceneOptions::load() const {
+  return rooms != 0 ? make_rooms(rooms, seed) : load_mesh_files(paths, {.by_material = by_material});
+}
+
+}  // namespace shaftcull::cli
