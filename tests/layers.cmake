@@ -8,7 +8,7 @@
 # Regular expressions of whole names of entries.
 set(quick_tests
   # The library, against exact arithmetic and answers on record.
-  cull[.].* hull[.].* visibility[.].* view_factors solids formation interface streams isa wide
+  cull[.].* hull[.].* visibility[.].* view_factors solids formation interface streams isa
   "(same_bits|simd)[.].*"
   "(many|many_tree|options|tree|tree_building|allocation)[.](scalar|${shaftcull_best_set})" calls[.]${shaftcull_best_set}
   # Its bindings and what its pages show.
@@ -17,7 +17,7 @@ set(quick_tests
   architecture check_steps compilers dependencies documents "documents[.](figures|links|tuning)" fetches first_command headers "packages[.](licences|spdx)"
   symbols[.].* units)
 set(ci_tests
-  allocation.* calls[.]aarch64 many_tree[.].* tree[.].* tree_building[.].* out_of_memory tree_memory visibility_memory
+  wide allocation.* calls[.]aarch64 many_tree[.].* tree[.].* tree_building[.].* out_of_memory tree_memory visibility_memory
   "cli([.].*)?" "batch|batch[.](model|numpy|ranks|trees|sees)" budget[.].* docs "docs[.]links" "c([._].*)?" python[.].* "packages[.](conan|vcpkg)" hash.best
   "emulated[.][^.]*[.]isa"
   "embedding[.](neon|big_endian|strict|no_build_type|refused|cross|package)")

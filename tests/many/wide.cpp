@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-/// More bounds than 32 bits number, in little memory: pages that nobody has written to are all the same one.
+/// More bounds than 32 bits number, in little memory: the same pages of a file are mapped over and over.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/mman.h>
+#include <unistd.h>
 
 #include <bit>
 #include <cstddef>
@@ -20,15 +21,23 @@ namespace {
 class Wide : public testing::Test {
  protected:
   static constexpr std::size_t count = (std::size_t{1} << 32U) + 201;
-  static constexpr std::size_t bytes = count * sizeof(float);
+  static constexpr std::size_t piece = std::size_t{16} << 20U;
+  static constexpr std::size_t bytes = (count * sizeof(float) + piece - 1) / piece * piece;
 
   void SetUp() override {
     if (has_shadow_memory) GTEST_SKIP() << "a sanitizer's shadow of all this does not share pages";
-    void* const memory =
-        mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    void* const memory = mmap(nullptr, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (memory == MAP_FAILED) GTEST_SKIP() << "no room for " << bytes << " bytes of addresses";
-    madvise(memory, bytes, MADV_HUGEPAGE);  // fewer page faults, where it is heard
     number_ = static_cast<float*>(memory);
+    // Of a file, one page fault maps its neighbours, too. What is written to becomes a page of its own.
+    const int zeros = memfd_create("zeros", 0);
+    ASSERT_EQ(ftruncate(zeros, piece), 0);
+    for (std::size_t at = 0; at != bytes; at += piece) {
+      ASSERT_NE(mmap(static_cast<char*>(memory) + at, piece, PROT_READ | PROT_WRITE,
+                     MAP_PRIVATE | MAP_FIXED | MAP_NORESERVE, zeros, 0),
+                MAP_FAILED);
+    }
+    close(zeros);
     boxes_.count = count;
     for (const float*& stream : boxes_.stream) stream = number_;
     for (const std::uint64_t i : far_) number_[i] = 5;
