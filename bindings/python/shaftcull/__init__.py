@@ -34,6 +34,7 @@ from shaftcull._shaftcull import (
     TriangleStream,
     TriangleTree,
     TriangleView,
+    ViewFactors,
     Visibility,
     __version__,
     active_isa,
@@ -45,6 +46,7 @@ from shaftcull._shaftcull import (
     points,
     select_isa,
     view_factor,
+    view_factors,
     view_planes,
     visibility,
 )
@@ -70,6 +72,7 @@ __all__ = [
     "TriangleStream",
     "TriangleTree",
     "TriangleView",
+    "ViewFactors",
     "Visibility",
     "__version__",
     "active_isa",
@@ -81,6 +84,7 @@ __all__ = [
     "points",
     "select_isa",
     "view_factor",
+    "view_factors",
     "view_planes",
     "visibility",
 ]

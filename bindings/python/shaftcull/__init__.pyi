@@ -974,6 +974,14 @@ class Visibility:
 
         sight: 'undecided', 'clear', 'occluded' or 'facing_away'; ValueError for others. Other threads go on.
         """
+    def fractions(self, *, rays: int = 64, error: float = 0.0, seed: int = 1) -> npt.NDArray[np.float32]:
+        """Which part of each undecided pair is visible, by rays between points of both patches: float32 (n,), from 0
+        to 1. A box counts as solid.
+
+        rays: how many of each pair, 1 to 65536. error: a pair gets fewer if its standard error is at most this.
+        seed: chooses the points. ValueError for others, without candidates, and for patches that are boxes with an
+        interior. Other threads go on.
+        """
     def bits(self, sight: _Sight, *, packed: bool = False) -> _Bits:
         """Which pairs are of one kind: bool (a, b). With packed=True uint64 (a, (b + 63) // 64) instead, 64 pairs to a
         word. For one set with itself both bits of a pair are set.
@@ -1074,6 +1082,69 @@ def inscribed_box(corners: _Floats) -> npt.NDArray[np.float32]:
     """A large box inside the convex hull of points: float32 (6,). It lies in the hull exactly.
 
     corners: float32 (k, 3), 4 to 32 points. ValueError for another number of them, or one that is not finite.
+    """
+class ViewFactors:
+    """View factors of all pairs, as a sparse matrix in rows:
+    scipy.sparse.csr_array((f.data, f.indices, f.indptr), f.shape). Row i has the factors from patch i.
+    """
+    @property
+    def data(self) -> npt.NDArray[np.float64]:
+        """The factors, which are above 0, row by row: float64 (nnz,)."""
+    @property
+    def indices(self) -> npt.NDArray[np.int32]:
+        """To which patch each factor is, ascending in a row: int32 (nnz,)."""
+    @property
+    def indptr(self) -> npt.NDArray[np.int64]:
+        """Where the factors of each row begin, and then where the last end: int64 (n + 1,)."""
+    @property
+    def shape(self) -> tuple[int, int]:
+        """(n, n), for n patches."""
+    @property
+    def area(self) -> npt.NDArray[np.float64]:
+        """The area of each patch: float64 (n,)."""
+    @property
+    def row_sum(self) -> npt.NDArray[np.float64]:
+        """The sum of each row, with what is left out: float64 (n,). 1 - row_sum is what meets no patch, as the sky."""
+    @property
+    def error(self) -> npt.NDArray[np.float64]:
+        """The estimated standard error of each sum: float64 (n,)."""
+    @property
+    def left_out(self) -> npt.NDArray[np.float64]:
+        """Which part of each sum is left out, as it is below `least`: float64 (n,)."""
+    @property
+    def counts(self) -> dict[str, int]:
+        """How many pairs are 'undecided', 'clear', 'occluded' and 'facing_away': a dict of int."""
+def view_factors(
+    patches: _Floats | Sequence[_Floats] | Patches,
+    *,
+    planes: _Floats | None = None,
+    occluders: _Floats | Occluders | None = None,
+    triangles: _Floats | None = None,
+    faces: _Integers | None = None,
+    rays: int = 4096,
+    error: float = 2e-05,
+    seed: int = 1,
+    least: float = 0.0,
+    tolerance: float = 0.0,
+    memory: int = 268435456,
+    progress: Callable[[int, int], object] | None = None,
+) -> ViewFactors:
+    """The view factors of each two patches: of clear pairs as view_factor(), of others by rays, and 0 of pairs that
+    one solid hides and that face away. The same bits for any number of processors. Returns a ViewFactors.
+
+    patches: corners, float32 (n, k, 3), counterclockwise as seen from where they radiate; boxes that are flat,
+        float32 (n, 6), with planes; or Patches. planes: float32 (n, 4), or (4,) for all.
+    occluders: boxes, which count as solid; or Occluders. triangles with faces: what stands between, the patches' own
+        bodies included, in place of Occluders; solids are looked for in them.
+    rays: most rays of a pair, 1 to 65536. error: a pair gets fewer if the standard error of its factors is at most
+        this. seed: chooses the points of rays.
+    least: pairs both of whose factors are below this are left out; left_out has their sums.
+    tolerance: as of visibility(). memory: bytes that answers under way may take, besides the factors, 1 MB or more.
+    progress: called as progress(done, total) some times a second, on this thread; if it raises, the call ends.
+
+    TypeError, ValueError, IndexError or BadBound names the argument that does not fit; also for patches without
+    planes, and for Patches with sides='both'. It runs on all processors; other threads of Python go on, and
+    Ctrl-C ends it. RuntimeError in a child of fork() whose parent has used all processors.
     """
 def view_factor(from_corners: _Floats, to_corners: _Floats) -> float:
     """The view factor from one flat convex polygon to another with nothing between them, from 0 to 1. What is

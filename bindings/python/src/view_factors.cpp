@@ -1,13 +1,120 @@
 // SPDX-License-Identifier: MIT
 #include "shaftcull/view_factors.hpp"
 
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
 #include "bounds_in.hpp"
+#include "long_call.hpp"
 #include "module.hpp"
+#include "patches.hpp"
+#include "results.hpp"
+#include "shafts.hpp"
 
 namespace shaftcull::python {
+namespace {
+
+using py::arg;
+
+/// What Python knows as shaftcull.ViewFactors: arrays that own their memory.
+struct Factors {
+  py::array data;
+  py::array indices;
+  py::array indptr;
+  py::array area;
+  py::array sum;
+  py::array error;
+  py::array left_out;
+  py::dict counts;
+};
+
+Factors factors_of(ViewFactors&& of) {
+  std::vector<std::int32_t> indices(of.column.begin(), of.column.end());
+  std::vector<std::int64_t> indptr(of.first.begin(), of.first.end());
+  return {array_of(std::move(of.factor)), array_of(std::move(indices)), array_of(std::move(indptr)),
+          array_of(std::move(of.area)),   array_of(std::move(of.sum)),  array_of(std::move(of.error)),
+          array_of(std::move(of.left_out)), counts_of(of.counts)};
+}
+
+void add_class(py::module_& module) {
+  py::class_<Factors>(module, "ViewFactors", R"(
+View factors of all pairs, as a sparse matrix in rows:
+scipy.sparse.csr_array((f.data, f.indices, f.indptr), f.shape). Row i has the factors from patch i.)")
+      .def_property_readonly("data", [](const Factors& self) { return self.data; },
+                             "The factors, which are above 0, row by row: float64 (nnz,).")
+      .def_property_readonly("indices", [](const Factors& self) { return self.indices; },
+                             "To which patch each factor is, ascending in a row: int32 (nnz,).")
+      .def_property_readonly("indptr", [](const Factors& self) { return self.indptr; },
+                             "Where the factors of each row begin, and then where the last end: int64 (n + 1,).")
+      .def_property_readonly(
+          "shape", [](const Factors& self) { return py::make_tuple(self.area.size(), self.area.size()); },
+          "(n, n), for n patches.")
+      .def_property_readonly("area", [](const Factors& self) { return self.area; },
+                             "The area of each patch: float64 (n,).")
+      .def_property_readonly(
+          "row_sum", [](const Factors& self) { return self.sum; },
+          "The sum of each row, with what is left out: float64 (n,). 1 - row_sum is what meets no patch, as the sky.")
+      .def_property_readonly("error", [](const Factors& self) { return self.error; },
+                             "The estimated standard error of each sum: float64 (n,).")
+      .def_property_readonly("left_out", [](const Factors& self) { return self.left_out; },
+                             "Which part of each sum is left out, as it is below `least`: float64 (n,).")
+      .def_property_readonly("counts", [](const Factors& self) { return self.counts; },
+                             "How many pairs are 'undecided', 'clear', 'occluded' and 'facing_away': a dict of int.")
+      .def("__repr__", [](const Factors& self) {
+        return "<shaftcull.ViewFactors of " + std::to_string(self.area.size()) + " patches, " +
+               std::to_string(self.data.size()) + " above 0>";
+      });
+}
+
+}  // namespace
 
 void add_view_factors(py::module_& module) {
-  using py::arg;
+  add_class(module);
+  const py::object none = py::none();
+  module.def(
+      "view_factors",
+      [](const py::object& patches, const py::object& planes, const py::object& occluders, const py::object& triangles,
+         const py::object& faces, std::uint32_t rays, double error, std::uint64_t seed, double least, float tolerance,
+         std::size_t memory, const py::object& progress) {
+        const Rounding exact = rounding_in(py::none());
+        const PatchSet set = patches_in(patches, planes, exact, "patches", "planes");
+        const py::object nothing = py::none();
+        const OccludersHolder between =
+            occluders_in(occluders, {nothing, nothing, nothing, triangles, faces, nothing, !triangles.is_none()}, exact);
+        ViewFactorOptions options;
+        options.rays = rays;
+        options.error = error;
+        options.seed = seed;
+        options.least = least;
+        options.tolerance = tolerance;
+        options.memory = memory;
+        return factors_of(while_hearing(options, progress, [&](const ViewFactorOptions& asked) {
+          return view_factors(set, *between.all, asked);
+        }));
+      },
+      arg("patches"), py::kw_only(), arg("planes") = none, arg("occluders") = none, arg("triangles") = none,
+      arg("faces") = none, arg("rays") = ViewFactorOptions().rays, arg("error") = ViewFactorOptions().error,
+      arg("seed") = ViewFactorOptions().seed, arg("least") = ViewFactorOptions().least, arg("tolerance") = 0.0F,
+      arg("memory") = ViewFactorOptions().memory, arg("progress") = none, R"(
+The view factors of each two patches: of clear pairs as view_factor(), of others by rays, and 0 of pairs that
+one solid hides and that face away. The same bits for any number of processors. Returns a ViewFactors.
+
+patches: corners, float32 (n, k, 3), counterclockwise as seen from where they radiate; boxes that are flat,
+    float32 (n, 6), with planes; or Patches. planes: float32 (n, 4), or (4,) for all.
+occluders: boxes, which count as solid; or Occluders. triangles with faces: what stands between, the patches' own
+    bodies included, in place of Occluders; solids are looked for in them.
+rays: most rays of a pair, 1 to 65536. error: a pair gets fewer if the standard error of its factors is at most
+    this. seed: chooses the points of rays.
+least: pairs both of whose factors are below this are left out; left_out has their sums.
+tolerance: as of visibility(). memory: bytes that answers under way may take, besides the factors, 1 MB or more.
+progress: called as progress(done, total) some times a second, on this thread; if it raises, the call ends.
+
+TypeError, ValueError, IndexError or BadBound names the argument that does not fit; also for patches without
+planes, and for Patches with sides='both'. It runs on all processors; other threads of Python go on, and
+Ctrl-C ends it. RuntimeError in a child of fork() whose parent has used all processors.)");
   module.def(
       "view_factor",
       [](const py::object& from_corners, const py::object& to_corners) {

@@ -3,20 +3,18 @@
 #include "shaftcull/visibility.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <future>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "interrupts.hpp"
+#include "long_call.hpp"
 #include "module.hpp"
 #include "patches.hpp"
 #include "results.hpp"
+#include "shaftcull/rays.hpp"
 #include "shafts.hpp"
 
 namespace shaftcull::python {
@@ -24,8 +22,6 @@ namespace shaftcull::python {
 namespace {
 
 using py::arg;
-
-constexpr Sight all_sights[] = {Sight::undecided, Sight::clear, Sight::occluded, Sight::facing_away};
 
 /// The arguments of a call.
 struct Asked {
@@ -41,52 +37,6 @@ struct Asked {
     return of_one_set ? call(a, *occluders.all, with) : call(a, b, *occluders.all, with);
   }
 };
-
-/// Runs a long call on a thread of its own, while this one hears signals and reports progress. An exception of either
-/// ends the call.
-template <class Call>
-auto while_hearing(VisibilityOptions options, const py::object& progress, Call&& call) {
-  begin_parallel();
-  std::atomic<std::uint64_t> done{0};
-  std::atomic<std::uint64_t> total{0};
-  std::atomic<bool> stop{false};
-  options.progress = [&](const VisibilityProgress& come) {
-    total = come.total;
-    done = come.done;
-    return !stop;
-  };
-  const auto report = [&] {
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    if (!progress.is_none()) progress(done.load(), total.load());
-  };
-  std::future<decltype(call(options))> answer;
-  {
-    const py::gil_scoped_release release;
-    answer = std::async(std::launch::async, [&] { return call(options); });
-  }
-  const auto has_ended = [&] {
-    const py::gil_scoped_release release;
-    return answer.wait_for(std::chrono::milliseconds(100)) == std::future_status::ready;
-  };
-  try {
-    while (!has_ended()) report();
-  } catch (...) {
-    stop = true;
-    const py::gil_scoped_release release;
-    answer.wait();
-    throw;
-  }
-  auto result = answer.get();
-  report();
-  return result;
-}
-
-/// Numbers of pairs by the names of their kinds.
-py::dict counts_of(const SightCounts& counts) {
-  py::dict dict;
-  for (const Sight sight : all_sights) dict[name(sight)] = counts.of(sight);
-  return dict;
-}
 
 Sight sight_in(const std::string& text) {
   for (const Sight sight : all_sights) {
@@ -216,6 +166,31 @@ Which pairs are of one kind: bool (a, b). With packed=True uint64 (a, (b + 63) /
 word. For one set with itself both bits of a pair are set.
 
 sight: 'undecided', 'clear', 'occluded' or 'facing_away'; ValueError for others. Other threads go on.)")
+      .def(
+          "fractions",
+          [](const Sights& self, std::uint32_t rays, double error, std::uint64_t seed) {
+            if (!self.asked.options.candidates) {
+              throw py::value_error("there are no candidates, which rays need: ask visibility() with candidates=True");
+            }
+            begin_parallel();
+            std::vector<float> fractions(self.all.undecided.size());
+            {
+              const py::gil_scoped_release release;
+              visible_fractions(
+                  self.asked.a, self.asked.b, *self.asked.occluders.all,
+                  {self.all.undecided, self.all.first_candidate, self.all.candidates}, fractions,
+                  {.rays = rays, .error = error, .seed = seed, .tolerance = self.asked.options.tolerance});
+            }
+            return array_of(std::move(fractions));
+          },
+          py::kw_only(), arg("rays") = RayOptions().rays, arg("error") = RayOptions().error,
+          arg("seed") = RayOptions().seed, R"(
+Which part of each undecided pair is visible, by rays between points of both patches: float32 (n,), from 0
+to 1. A box counts as solid.
+
+rays: how many of each pair, 1 to 65536. error: a pair gets fewer if its standard error is at most this.
+seed: chooses the points. ValueError for others, without candidates, and for patches that are boxes with an
+interior. Other threads go on.)")
       .def("__repr__", [](const Sights& self) {
         const SightCounts& counts = self.all.counts;
         return "<shaftcull.Visibility of " + std::to_string(counts.total()) + " pairs, " +

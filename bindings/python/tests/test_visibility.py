@@ -407,3 +407,85 @@ if MPI.COMM_WORLD.rank == 0:
         pytest.skip("no mpirun (Debian: openmpi-bin)")
     assert done.returncode == 0, done.stderr
     assert done.stdout.endswith("the same\n") and " undecided, " in done.stdout
+
+
+def inward_box(lo, hi, inwards, n=1):
+    """The sides of a box, each cut into n x n: corners (6 n n, 4, 3)."""
+    quads = []
+    for axis in range(3):
+        u, v = (axis + 1) % 3, (axis + 2) % 3
+        for far in (False, True):
+            for i, j in itertools.product(range(n), repeat=2):
+                quad = np.empty((4, 3), np.float32)
+                for corner, (p, q) in enumerate(((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1))):
+                    quad[corner, axis] = (hi if far else lo)[axis]
+                    quad[corner, u] = lo[u] + (hi[u] - lo[u]) * p / n
+                    quad[corner, v] = lo[v] + (hi[v] - lo[v]) * q / n
+                quads.append(quad[::-1] if far == inwards else quad)
+    return np.array(quads)
+
+
+def triangles_of(quads):
+    return np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
+
+
+def test_view_factors_of_all_pairs():
+    room = np.concatenate([inward_box((0, 0, 0), (4, 4, 4), True, 2), inward_box((1, 1, 1), (2, 2, 2), False)])
+    factors = sc.view_factors(room, triangles=triangles_of(room))
+    n = len(room)
+    assert factors.shape == (n, n)
+    assert factors.indptr.shape == (n + 1,) and factors.indptr[-1] == len(factors.data) == len(factors.indices)
+    assert sum(factors.counts.values()) == n * (n - 1) // 2 and factors.counts["undecided"] > 0
+    assert factors.area == pytest.approx([4.0] * 24 + [1.0] * 6)
+    assert factors.row_sum == pytest.approx(np.ones(n), abs=5e-3)
+    assert np.all(np.abs(factors.row_sum - 1) <= 6 * factors.error + 1e-6)
+    assert not factors.left_out.any()
+    dense = np.zeros((n, n))
+    for i in range(n):
+        row = slice(factors.indptr[i], factors.indptr[i + 1])
+        assert np.all(np.diff(factors.indices[row]) > 0)
+        dense[i, factors.indices[row]] = factors.data[row]
+    assert dense.sum(1) == pytest.approx(factors.row_sum)
+    exchanged = dense * factors.area[:, None]
+    assert exchanged == pytest.approx(exchanged.T)
+    assert "30 patches" in repr(factors)
+    again = sc.view_factors(sc.Patches(room), occluders=sc.Occluders(triangles=triangles_of(room), find_solids=True))
+    assert np.array_equal(again.data, factors.data)
+    fewer = sc.view_factors(room, triangles=triangles_of(room), least=0.01, rays=64, error=1e-3, seed=5, memory=1 << 20)
+    assert len(fewer.data) < len(factors.data) and fewer.left_out.any()
+    scipy = pytest.importorskip("scipy.sparse")
+    matrix = scipy.csr_array((factors.data, factors.indices, factors.indptr), factors.shape)
+    assert matrix.has_canonical_format and (matrix.toarray() == dense).all()
+
+
+def test_view_factors_say_what_they_refuse():
+    cube = inward_box((0, 0, 0), (1, 1, 1), True)
+    with pytest.raises(ValueError, match="rays is 0"):
+        sc.view_factors(cube, rays=0)
+    with pytest.raises(ValueError, match="seen from both sides"):
+        sc.view_factors(sc.Patches(cube, sides="both"))
+    with pytest.raises(ValueError, match="no planes"):
+        sc.view_factors([[0, 0, 0, 1, 1, 0]])
+    flat = sc.view_factors([[0, 0, 0, 1, 1, 0], [0, 0, 1, 1, 1, 1]], planes=[[0, 0, 1, 0], [0, 0, -1, -1]])
+    assert flat.data == pytest.approx([0.1998249, 0.1998249])
+
+    def stop(done, total):
+        raise KeyError("stop")
+
+    with pytest.raises(KeyError, match="stop"):
+        sc.view_factors(cube, progress=stop)
+
+
+def test_fractions_of_undecided_pairs():
+    floor = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], np.float32)
+    ceiling = floor[::-1] + np.float32([0, 0, 2])
+    half = np.array([[[-1, -1, 1], [0.5, -1, 1], [0.5, 2, 1], [-1, 2, 1]]], np.float32)
+    found = sc.visibility([floor], [ceiling], polygons=half)
+    assert found.undecided.tolist() == [[0, 0]]
+    assert found.fractions(rays=4096) == pytest.approx([0.5], abs=0.01)
+    assert found.fractions().dtype == np.float32
+    assert np.array_equal(found.fractions(seed=3), found.fractions(seed=3))
+    with pytest.raises(ValueError, match="rays is 0"):
+        found.fractions(rays=0)
+    with pytest.raises(ValueError, match="candidates=True"):
+        sc.visibility([floor], [ceiling], polygons=half, candidates=False).fractions()
