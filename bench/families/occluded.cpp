@@ -113,10 +113,10 @@ struct Polygons {
 };
 
 template <class Shafts>
-void ask_about_polygons(benchmark::State& state, const Shafts& of, const std::vector<std::array<Vec3, 4>>& walls) {
+void ask_about_polygons(benchmark::State& state, const Shafts& of, const std::vector<std::array<Vec3, 4>>& all) {
   for (auto _ : state) {
     for (const CompiledShaft& shaft : of) {
-      for (const std::array<Vec3, 4>& wall : walls) benchmark::DoNotOptimize(occluded(shaft, std::span(wall)));
+      for (const std::array<Vec3, 4>& wall : all) benchmark::DoNotOptimize(occluded(shaft, std::span(wall)));
     }
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(polygons * polygons));

@@ -6,8 +6,8 @@
 /// within such points; an item of `swept_batch` and `shadow_batch` is a shaft. single/complete makes the joining planes
 /// of a shaft, and single/open_contact changes its contact. single/ask/WHAT asks shafts of the workload about a bound:
 /// a box that is outside, one within the box around the shaft, for which joining planes are there or pending, or a
-/// triangle. single/view_factor/WHAT is that of two squares: opposite to each other at the distance of a side, far
-/// away, or with a common edge. single/entry_time/WHAT is an item a bound, all of them kept.
+/// triangle. single/view_factor/WHAT is that of two squares: opposite to each other at the distance of a side, of
+/// two sides, far away, or with a common edge. single/entry_time/WHAT is an item a bound, all of them kept.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -190,6 +190,7 @@ void declare_single(Suite& suite, const Workload& workload) {
   };
   add_view_factor("opposite", ceiling(1));
   add_view_factor("edge", {{{0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}}});
+  add_view_factor("near", ceiling(2));
   add_view_factor("far", ceiling(64));
   add("form/swept_batch", turns, [](Single& of, std::size_t) {
     swept_batch(of.bodies.view(), of.ways, of.shafts);

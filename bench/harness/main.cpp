@@ -48,6 +48,7 @@ constexpr std::array families{
     declare_short_sweeps,
     declare_triangles,
     declare_sees,
+    declare_factors,
 #ifdef SHAFTCULL_BENCH_WITH_AVX2
     declare_exact,
 #endif

@@ -127,6 +127,8 @@ void declare_short_sweeps(Suite& suite, const Workload& workload);
 void declare_frame(Suite& suite, const Workload& workload);
 /// sees/…: which patches see each other, against shadow rays
 void declare_sees(Suite& suite, const Workload& workload);
+/// factors/…: view factors of all pairs, and rays
+void declare_factors(Suite& suite, const Workload& workload);
 /// flat_against_tree/…: flat scans and trees, by size and by what is found
 void declare_flat_against_tree(Suite& suite, const Workload& workload);
 

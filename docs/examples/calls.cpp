@@ -49,6 +49,22 @@ void ask_of_all_pairs() {
   std::size_t batches = 0;
   const auto deliver = [&](const SightBatch&) { ++batches; };
   const SightCounts counts = visibility(patches, occluders, deliver);
+  const std::vector<Vec3> from{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  const std::vector<Vec3> to{{0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1}};
+  const double factor = view_factor(from, to);
+  expect(factor > 0.1998 && factor < 0.1999, "view factor");
+  const std::vector<std::size_t> one{0, 4};
+  const PatchSet a(from, one);
+  const PatchSet b(to, one);
+  const std::vector<PatchPair> pair{{0, 0}};
+  const std::vector<std::size_t> none{0, 0};
+  const UndecidedPairs pairs{pair, none, {}};
+  std::vector<float> fractions(1);
+  visible_fractions(a, b, occluders, pairs, fractions);
+  expect(fractions[0] == 1, "rays");
+  const PatchSet& facets = a;
+  const ViewFactors factors = view_factors(facets, occluders);
+  expect(factors.sum[0] == 0, "view factors");
   expect(counts.occluded == 1 && counts.total() == 3 && batches != 0, "visibility");
 }
 

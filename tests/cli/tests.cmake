@@ -51,6 +51,7 @@ if(assimp_FOUND)
     cli/cull_errors_test.cpp
     cli/cull_parts_test.cpp
     cli/cull_test.cpp
+    cli/factors_test.cpp
     cli/mesh_import_test.cpp
     cli/sees_mesh_test.cpp
     cli/small_scenes_test.cpp)

@@ -50,6 +50,9 @@ const sc::BoxTree tree = [] {
 const sc::SphereTree spheres(std::vector<sc::Sphere>{{{0.5F, 0.5F, 6}, 0.25F}});
 const sc::TriangleTree triangles(std::vector<sc::Triangle>{{{{{0.4F, 0.4F, 5}, {9, 0.4F, 5}, {9, 9, 6}}}}});
 const sc::PatchSet patches(std::vector<sc::Box>{patch, other_patch, {{20, 0, 10}, {21, 1, 10}}});
+const std::vector<sc::Vec3> corners_of_facets{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+const std::vector<std::size_t> first_of_facets{0, 4};
+const sc::PatchSet facets(corners_of_facets, first_of_facets);
 const sc::Occluders occluders = [] {
   sc::Occluders solid;
   solid.add_solids(walls);
@@ -130,6 +133,7 @@ std::vector<Answer> answers() {
       WRITES(times[0] > 0.44F && times[0] < 0.45F, sc::entry_times(sc::swept(body, travel), tree, indices, times)),
       ANSWER(answer.occluded == 1 && delivered == 3, sc::visibility(patches, occluders, deliver)),
       ANSWER(answer.occluded == 1 && answer.total() == 3, sc::count_visibility(patches, occluders)),
+      ANSWER(answer.size() == 1, sc::view_factors(facets, occluders)),
       ANSWER(answer, sc::any(shaft, triangles)),
       ANSWER(answer, sc::any(shaft, triangles, {.triangle_test = sc::TriangleTest::vertices})),
       ANSWER(answer, sc::any(shaft, tree)),

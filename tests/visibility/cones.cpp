@@ -102,5 +102,21 @@ TEST(ConesInLanes, AreCertainOfCornersInAPlaneAcrossAnAxis) {
   EXPECT_GT(flush_in_all, random_cases(1000));
 }
 
+// A polygon that is not flat is the triangles that its first corner forms: each must part both patches.
+TEST(VisibilityOfCorners, APolygonHidesAsAllOfItsTrianglesDo) {
+  const std::vector<Vec3> corners{{0.4F, -0.6F, 3},  {0.4F, -0.4F, 3},  {0.6F, -0.4F, 3},  {0.6F, -0.6F, 3},
+                                  {0.4F, -0.6F, -3}, {0.6F, -0.6F, -3}, {0.6F, -0.4F, -3}, {0.4F, -0.4F, -3}};
+  const PatchSet patches(corners, std::vector<std::size_t>{0, 4, 8});
+  const auto occluded = [&](float height) {
+    Occluders folded;
+    folded.add_polygons(std::vector<Vec3>{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, height}},
+                        std::vector<std::size_t>{0, 4});
+    return count_visibility(patches, folded).occluded;
+  };
+  EXPECT_EQ(occluded(0), 1U);
+  EXPECT_EQ(occluded(1), 1U);
+  EXPECT_EQ(occluded(8), 0U) << "both patches are in front of the second triangle";
+}
+
 }  // namespace
 }  // namespace shaftcull
