@@ -3,8 +3,8 @@
 /// the ground, in quadrilaterals of 7.5 m, as View3D was measured on.
 ///
 /// factors/city/N has about N patches: visibility, integrals and rays, but not what find_solids() takes. An item is a
-/// patch. factors/rays/S casts S rays between the undecided pairs of the smaller one, in visible_fractions(); an item is
-/// a pair.
+/// patch. factors/rays/S casts S rays between the undecided pairs of the smaller one, in visible_fractions(); an item
+/// is a pair.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -55,7 +55,8 @@ class QuadCity {
     const TriangleStream stream(triangles_);
     occluders_.add_triangles(stream.view());
     occluders_.add_found(find_solids(stream.view()));
-    benchmark::DoNotOptimize(view_factors(PatchSet(std::span(corners_).first(4), std::span(first_).first(2)), occluders_));
+    benchmark::DoNotOptimize(
+        view_factors(PatchSet(std::span(corners_).first(4), std::span(first_).first(2)), occluders_));
   }
 
   [[nodiscard]] const PatchSet& patches() const noexcept { return patches_; }
@@ -70,11 +71,13 @@ class QuadCity {
     const std::size_t columns = pieces(u);
     const std::size_t rows = pieces(v);
     for (std::size_t i = 0; i != columns * rows; ++i) {
+      const std::size_t column = i % columns;
+      const std::size_t row = i / columns;
       std::array<Vec3, 4> corner{};
       constexpr std::size_t places[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
       for (std::size_t c = 0; c != 4; ++c) {
-        const float along = static_cast<float>(i % columns + places[c][0]) / static_cast<float>(columns);
-        const float up = static_cast<float>(i / columns + places[c][1]) / static_cast<float>(rows);
+        const float along = static_cast<float>(column + places[c][0]) / static_cast<float>(columns);
+        const float up = static_cast<float>(row + places[c][1]) / static_cast<float>(rows);
         for (std::size_t k = 0; k != 3; ++k) corner[c][k] = from[k] + along * u[k] + up * v[k];
       }
       corners_.insert(corners_.end(), corner.begin(), corner.end());

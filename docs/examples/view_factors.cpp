@@ -9,9 +9,9 @@ namespace sc = shaftcull;
 int main() {
   // Corners of each facet, counterclockwise as seen from where it radiates.
   const std::vector<sc::Vec3> corners{
-      {0, 0, 0},  {10, 0, 0},  {10, 20, 0}, {0, 20, 0},    // the street
-      {0, 0, 0},  {0, 20, 0},  {0, 20, 9},  {0, 0, 9},     // houses on the left
-      {10, 0, 0}, {10, 0, 9},  {10, 20, 9}, {10, 20, 0}};  // and on the right
+      {0, 0, 0},  {10, 0, 0}, {10, 20, 0}, {0, 20, 0},    // the street
+      {0, 0, 0},  {0, 20, 0}, {0, 20, 9},  {0, 0, 9},     // houses on the left
+      {10, 0, 0}, {10, 0, 9}, {10, 20, 9}, {10, 20, 0}};  // and on the right
   const std::vector<std::size_t> first_corner{0, 4, 8, 12};
   const sc::PatchSet facets(corners, first_corner);
 
@@ -23,6 +23,7 @@ int main() {
     for (std::size_t j = 0; j != factors.size(); ++j) std::printf("%.3f ", factors(i, j));
     std::printf("  sky %.3f\n", 1 - factors.sum[i]);
   }
-  std::printf("in the open, from wall to wall: %.3f\n",
-              sc::view_factor(std::span(corners).subspan(4, 4), std::span(corners).subspan(8, 4)));
+  std::printf(
+      "in the open, from wall to wall: %.3f\n",
+      sc::view_factor(std::span(corners).subspan(4, 4), std::span(corners).subspan(8, 4)));
 }

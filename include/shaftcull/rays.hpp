@@ -35,8 +35,8 @@ struct RayOptions {
 ///
 /// For 16 rays about 0.3 µs per pair of a city; triangles of a group are in a tree. Runs in parallel if there are many
 /// pairs, in the caller's task_arena; it may be called from VisibilityOptions::resolve. The first call with some
-/// occluders prepares them: O(n log n), 100 bytes per triangle. Fractions are the same bits for any number of threads and
-/// on every instruction set.
+/// occluders prepares them: O(n log n), 100 bytes per triangle. Fractions are the same bits for any number of threads
+/// and on every instruction set.
 ///
 /// Throws InvalidArgument if `fractions` has not one element per pair, if a pair or candidate is out of range, if there
 /// are no candidates (VisibilityOptions::candidates), for options out of range, and for patches that are boxes with an

@@ -78,11 +78,11 @@ struct ViewFactors {
 /// Patches are polygons that radiate from their front. A patch without an area has an empty row. What hides others is
 /// to be among the occluders, the patches' own bodies included. Solids should not contain patches: they hide them.
 ///
-/// Factors of clear pairs are off by 10⁻⁶ of themselves at most. Time grows with the pairs that see each other, and with
-/// what visibility() takes: a second or so for the 2,500 patches of a city, on one thread. Allocates 56 bytes per pair
-/// with a factor, and what visible_fractions() does. Runs in parallel, in the caller's task_arena. The result is the
-/// same bits for any number of threads and on every instruction set. Throws InvalidArgument for options out of range
-/// and for patches without planes or with two sides, Cancelled, and std::bad_alloc.
+/// Factors of clear pairs are off by 10⁻⁶ of themselves at most. Time grows with the pairs that see each other, and
+/// with what visibility() takes: a second or so for the 2,500 patches of a city, on one thread. Allocates 56 bytes per
+/// pair with a factor, and what visible_fractions() does. Runs in parallel, in the caller's task_arena. The result is
+/// the same bits for any number of threads and on every instruction set. Throws InvalidArgument for options out of
+/// range and for patches without planes or with two sides, Cancelled, and std::bad_alloc.
 [[nodiscard]] SHAFTCULL_EXPORT ViewFactors view_factors(const PatchSet& patches, const Occluders& occluders,
                                                         const ViewFactorOptions& options = {});
 

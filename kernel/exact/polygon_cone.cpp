@@ -73,7 +73,7 @@ void PolygonCone::add_edge(const Vec3& from, const Vec3& to, std::span<const Vec
     takes_in_end = takes_in_end && side == 0;
     if (side > 0) farthest = &x;
   }
-  planes_.push_back({from, to, *farthest, nullptr, takes_in_end});
+  if (farthest != nullptr) planes_.push_back({from, to, *farthest, nullptr, takes_in_end});
 }
 
 }  // namespace shaftcull::kernel

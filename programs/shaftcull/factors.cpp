@@ -110,6 +110,8 @@ void run(const FactorsOptions& options) {
   options.isa.select();
   FactorsResult result = prepared(options);
   find(result, options);
+  const std::string hint = options.scene.hint_about_normals(result.factors.counts);
+  if (!hint.empty()) static_cast<void>(std::fputs(hint.c_str(), stderr));
   if (!options.out.empty()) write_factors(result, options.out);
   if (!options.svg.empty()) write_sky_svg(result, options.svg, static_cast<std::size_t>(options.up[0] - 'x'));
   if (!options.ply.empty()) write_sky_ply(result, options.ply);

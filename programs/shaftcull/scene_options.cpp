@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene_options.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "mesh_files.hpp"
@@ -52,6 +54,16 @@ std::string SceneOptions::source() const {
 
 MeshScene SceneOptions::load() const {
   return rooms != 0 ? make_rooms(rooms, seed) : load_mesh_files(paths, {.by_material = by_material});
+}
+
+std::string SceneOptions::hint_about_normals(const SightCounts& counts) const {
+  constexpr double most = 0.9;
+  const double share =
+      static_cast<double>(counts.facing_away) / static_cast<double>(std::max<std::uint64_t>(counts.total(), 1));
+  if (choice.two_sided || share <= most) return {};
+  return fmt::format("{:.1f} % of the pairs face away. If normals point to the wrong side, {}{}\n", 100 * share,
+                     choice.flip ? "leave out --flip" : "--flip turns them round",
+                     may_be_two_sided ? "; with --two-sided patches see on both" : "");
 }
 
 }  // namespace shaftcull::cli

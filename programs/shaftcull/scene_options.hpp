@@ -11,6 +11,7 @@
 
 #include "mesh.hpp"
 #include "sees_scene.hpp"
+#include "shaftcull/visibility.hpp"
 
 namespace shaftcull::cli {
 
@@ -20,6 +21,7 @@ struct SceneOptions {
   std::size_t rooms = 0;
   std::uint64_t seed = 1;  ///< of rooms, and of rays
   SeesChoice choice;
+  bool may_be_two_sided = false;  ///< the subcommand has --two-sided
 
   /// Adds --scene, --rooms and how objects are read; the number of --patches has this meaning.
   void add(CLI::App& subcommand, const std::string& patches);
@@ -28,6 +30,8 @@ struct SceneOptions {
   /// What messages call the scene.
   [[nodiscard]] std::string source() const;
   [[nodiscard]] MeshScene load() const;
+  /// A line about normals that seem to point the wrong way; empty if they do not.
+  [[nodiscard]] std::string hint_about_normals(const SightCounts& counts) const;
 };
 
 }  // namespace shaftcull::cli

@@ -89,6 +89,7 @@ void add_sees(CLI::App& program) {
   options->scene.add(
       sees,
       "Triangles are split until no edge is longer (default: a 32nd of the scene, or more for 500 million pairs)");
+  options->scene.may_be_two_sided = true;
   sees.add_flag("--two-sided", options->scene.choice.two_sided,
                 "Patches see on both sides; without it, where the right-hand normal of their triangle points")
       ->excludes("--flip");

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "sees_job.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <memory>
@@ -15,17 +14,6 @@ namespace shaftcull::cli {
 namespace {
 
 bool is_output(const std::string& path) { return !path.empty() && is_standard_output(path); }
-
-/// A line about normals that seem to point the wrong way; empty if they do not.
-std::string hint_of(const SeesReport& report, const SeesChoice& choice) {
-  constexpr double most = 0.9;
-  const double share = static_cast<double>(report.counts.sights.facing_away) /
-                       static_cast<double>(std::max<std::uint64_t>(report.counts.sights.total(), 1));
-  if (choice.two_sided || share <= most) return {};
-  return fmt::format(
-      "{:.1f} % of the pairs face away. If normals point to the wrong side, {}; with --two-sided patches see on both\n",
-      100 * share, choice.flip ? "leave out --flip" : "--flip turns them round");
-}
 
 }  // namespace
 
@@ -85,7 +73,7 @@ void SeesJob::finish(SeesReport report, const SeesPictures& pictures) {
     pictures.ply->finish();
   }
   if (objects_) report.object_pairs = objects_->pairs();
-  const std::string hint = hint_of(report, options_.scene.choice);
+  const std::string hint = options_.scene.hint_about_normals(report.counts.sights);
   if (!hint.empty()) static_cast<void>(std::fputs(hint.c_str(), stderr));
   // Where a file is standard output, the report goes elsewhere.
   const bool is_taken = is_output(options_.out) || is_output(options_.svg) || is_output(options_.ply);

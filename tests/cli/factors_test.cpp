@@ -99,8 +99,9 @@ TEST_F(CliFactors, TellOfEachPatch) {
   EXPECT_THAT(rows[1], HasSubstr("0,floor,1,"));
   // Without a ceiling the floor sees a fifth of the sky.
   const std::string open = folder_.write(
-      "open.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
-                  "o floor\nf 1 2 3 4\no south\nf 1 5 6 2\no north\nf 4 3 7 8\no west\nf 1 4 8 5\no east\nf 2 6 7 3\n");
+      "open.obj",
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+      "o floor\nf 1 2 3 4\no south\nf 1 5 6 2\no north\nf 4 3 7 8\no west\nf 1 4 8 5\no east\nf 2 6 7 3\n");
   const std::vector<double> floor = numbers_in(lines(output_of({"factors", open, "--format", "csv"}))[1]);
   ASSERT_GE(floor.size(), 4U);
   EXPECT_NEAR(floor[3], 0.199825, 1e-5);
@@ -131,6 +132,13 @@ TEST_F(CliFactors, OfRoomsAreTheSameForAnyNumberOfThreads) {
   const std::string one = factors_with("1");
   EXPECT_EQ(factors_with("2"), one);
   EXPECT_GT(lines(one).size(), 50U);
+}
+
+TEST_F(CliFactors, SayWhereNormalsSeemToPointTheWrongWay) {
+  const Outcome outwards = run_program({"factors", cube(), "--flip"});
+  EXPECT_THAT(outwards.error, AllOf(HasSubstr("100.0 % of the pairs face away."), HasSubstr("leave out --flip")));
+  EXPECT_THAT(outwards.out, HasSubstr("0 factors above 0"));
+  EXPECT_EQ(run_program({"factors", cube()}).error, "");
 }
 
 TEST_F(CliFactors, RefuseWhatTheyCannotDo) {

@@ -105,8 +105,10 @@ TEST(ViewFactors, OfSquaresWithASquareBetweenAreThatOfTheDefinition) {
   double sum = 0;
   for (int i = 0; i != n * n; ++i) {
     for (int j = 0; j != n * n; ++j) {
-      const double p[2] = {(i % n + 0.5) / n, (i / n + 0.5) / n};
-      const double q[2] = {(j % n + 0.5) / n, (j / n + 0.5) / n};
+      const auto middle = [](int number) { return (number + 0.5) / n; };
+      const int rows[2] = {i / n, j / n};
+      const double p[2] = {middle(i % n), middle(rows[0])};
+      const double q[2] = {middle(j % n), middle(rows[1])};
       const double x = q[0] - p[0];
       const double y = q[1] - p[1];
       // What passes through an edge of the square in between counts half.

@@ -14,6 +14,7 @@
 #include "exact/hull_mesh.hpp"
 #include "instruction_sets.hpp"
 #include "sanitizers.hpp"
+#include "shaftcull/visibility.hpp"
 #include "solid_between_patches.hpp"
 #include "visibility/cone_planes.hpp"
 

@@ -14,6 +14,7 @@
 #include "sanitizers.hpp"
 #include "shaftcull/shaftcull.hpp"
 #include "solids/meshes.hpp"
+#include "view_factors/inward_boxes.hpp"
 
 namespace shaftcull {
 namespace {
@@ -217,6 +218,26 @@ TEST(VisibilityMemory, ThatRunsOutLeavesNothingBehind) {
       for (std::size_t i = 0; i < verdict.size(); i += 2) verdict[i] = Sight::occluded;
     };
     expect_nothing_left([&] { static_cast<void>(collect_visibility(a, b, occluders, options)); });
+  });
+}
+
+TEST(VisibilityMemory, OfRaysAndViewFactorsThatRunsOutLeavesNothingBehind) {
+  RadiatingScene scene;
+  scene.add_box({{0, 0, 0}, {4, 4, 4}}, 1, true);
+  scene.add_box({{1, 1, 1}, {2, 2, 2}}, 1, false);
+  const PatchSet patches = scene.patches();
+  const Occluders occluders = scene.occluders();
+  const Visibility found = collect_visibility(patches, occluders);
+  ASSERT_FALSE(found.undecided.empty());
+  with_threads(1, [&] {
+    expect_nothing_left([&] { static_cast<void>(view_factors(patches, occluders)); });
+    expect_nothing_left([&] {
+      // What is prepared for rays is of these alone.
+      const PatchSet others(scene.corners, scene.first);
+      const Occluders between = occluders;
+      std::vector<float> fractions(found.undecided.size());
+      visible_fractions(others, others, between, {found.undecided, found.first_candidate, found.candidates}, fractions);
+    });
   });
 }
 

@@ -112,11 +112,15 @@ TEST(VisibleFraction, IsNoneBehindAWholeWallAndOfSeveralTogether) {
 // Rays between two edges that are patches: they run along the top of a body, above it or through it.
 TEST(VisibleFraction, IsThatOfRaysAlongAFaceToo) {
   const auto fraction_at = [](float height) {
-    const PatchSet edges(std::vector<Vec3>{{0, 0, height}, {0, 1, height}, {0, 1, height}, {4, 0, height}, {4, 1, height}, {4, 1, height}},
-                         std::vector<std::size_t>{0, 3, 6}, PatchSides::both);
+    const PatchSet edges(
+        std::vector<Vec3>{
+            {0, 0, height}, {0, 1, height}, {0, 1, height}, {4, 0, height}, {4, 1, height}, {4, 1, height}},
+        std::vector<std::size_t>{0, 3, 6}, PatchSides::both);
     Occluders body;
-    body.add_solid_hulls(std::vector<Vec3>{{1, -1, 0}, {3, -1, 0}, {3, 2, 0}, {1, 2, 0}, {1, -1, 1}, {2.5F, -1, 1}, {2.5F, 2, 1}, {1, 2, 1}},
-                         std::vector<std::size_t>{0, 8});
+    body.add_solid_hulls(
+        std::vector<Vec3>{
+            {1, -1, 0}, {3, -1, 0}, {3, 2, 0}, {1, 2, 0}, {1, -1, 1}, {2.5F, -1, 1}, {2.5F, 2, 1}, {1, 2, 1}},
+        std::vector<std::size_t>{0, 8});
     return fractions_of(edges, edges, body, {{0, 1}})[0];
   };
   EXPECT_EQ(fraction_at(0.5F), 0);

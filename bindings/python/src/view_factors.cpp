@@ -34,8 +34,8 @@ struct Factors {
 Factors factors_of(ViewFactors&& of) {
   std::vector<std::int32_t> indices(of.column.begin(), of.column.end());
   std::vector<std::int64_t> indptr(of.first.begin(), of.first.end());
-  return {array_of(std::move(of.factor)), array_of(std::move(indices)), array_of(std::move(indptr)),
-          array_of(std::move(of.area)),   array_of(std::move(of.sum)),  array_of(std::move(of.error)),
+  return {array_of(std::move(of.factor)),   array_of(std::move(indices)), array_of(std::move(indptr)),
+          array_of(std::move(of.area)),     array_of(std::move(of.sum)),  array_of(std::move(of.error)),
           array_of(std::move(of.left_out)), counts_of(of.counts)};
 }
 
@@ -43,26 +43,32 @@ void add_class(py::module_& module) {
   py::class_<Factors>(module, "ViewFactors", R"(
 View factors of all pairs, as a sparse matrix in rows:
 scipy.sparse.csr_array((f.data, f.indices, f.indptr), f.shape). Row i has the factors from patch i.)")
-      .def_property_readonly("data", [](const Factors& self) { return self.data; },
-                             "The factors, which are above 0, row by row: float64 (nnz,).")
-      .def_property_readonly("indices", [](const Factors& self) { return self.indices; },
-                             "To which patch each factor is, ascending in a row: int32 (nnz,).")
-      .def_property_readonly("indptr", [](const Factors& self) { return self.indptr; },
-                             "Where the factors of each row begin, and then where the last end: int64 (n + 1,).")
+      .def_property_readonly(
+          "data", [](const Factors& self) { return self.data; },
+          "The factors, which are above 0, row by row: float64 (nnz,).")
+      .def_property_readonly(
+          "indices", [](const Factors& self) { return self.indices; },
+          "To which patch each factor is, ascending in a row: int32 (nnz,).")
+      .def_property_readonly(
+          "indptr", [](const Factors& self) { return self.indptr; },
+          "Where the factors of each row begin, and then where the last end: int64 (n + 1,).")
       .def_property_readonly(
           "shape", [](const Factors& self) { return py::make_tuple(self.area.size(), self.area.size()); },
           "(n, n), for n patches.")
-      .def_property_readonly("area", [](const Factors& self) { return self.area; },
-                             "The area of each patch: float64 (n,).")
+      .def_property_readonly(
+          "area", [](const Factors& self) { return self.area; }, "The area of each patch: float64 (n,).")
       .def_property_readonly(
           "row_sum", [](const Factors& self) { return self.sum; },
           "The sum of each row, with what is left out: float64 (n,). 1 - row_sum is what meets no patch, as the sky.")
-      .def_property_readonly("error", [](const Factors& self) { return self.error; },
-                             "The estimated standard error of each sum: float64 (n,).")
-      .def_property_readonly("left_out", [](const Factors& self) { return self.left_out; },
-                             "Which part of each sum is left out, as it is below `least`: float64 (n,).")
-      .def_property_readonly("counts", [](const Factors& self) { return self.counts; },
-                             "How many pairs are 'undecided', 'clear', 'occluded' and 'facing_away': a dict of int.")
+      .def_property_readonly(
+          "error", [](const Factors& self) { return self.error; },
+          "The estimated standard error of each sum: float64 (n,).")
+      .def_property_readonly(
+          "left_out", [](const Factors& self) { return self.left_out; },
+          "Which part of each sum is left out, as it is below `least`: float64 (n,).")
+      .def_property_readonly(
+          "counts", [](const Factors& self) { return self.counts; },
+          "How many pairs are 'undecided', 'clear', 'occluded' and 'facing_away': a dict of int.")
       .def("__repr__", [](const Factors& self) {
         return "<shaftcull.ViewFactors of " + std::to_string(self.area.size()) + " patches, " +
                std::to_string(self.data.size()) + " above 0>";
@@ -82,8 +88,8 @@ void add_view_factors(py::module_& module) {
         const Rounding exact = rounding_in(py::none());
         const PatchSet set = patches_in(patches, planes, exact, "patches", "planes");
         const py::object nothing = py::none();
-        const OccludersHolder between =
-            occluders_in(occluders, {nothing, nothing, nothing, triangles, faces, nothing, !triangles.is_none()}, exact);
+        const OccludersHolder between = occluders_in(
+            occluders, {nothing, nothing, nothing, triangles, faces, nothing, !triangles.is_none()}, exact);
         ViewFactorOptions options;
         options.rays = rays;
         options.error = error;
@@ -91,9 +97,8 @@ void add_view_factors(py::module_& module) {
         options.least = least;
         options.tolerance = tolerance;
         options.memory = memory;
-        return factors_of(while_hearing(options, progress, [&](const ViewFactorOptions& asked) {
-          return view_factors(set, *between.all, asked);
-        }));
+        return factors_of(while_hearing(
+            options, progress, [&](const ViewFactorOptions& asked) { return view_factors(set, *between.all, asked); }));
       },
       arg("patches"), py::kw_only(), arg("planes") = none, arg("occluders") = none, arg("triangles") = none,
       arg("faces") = none, arg("rays") = ViewFactorOptions().rays, arg("error") = ViewFactorOptions().error,
