@@ -17,10 +17,11 @@ struct RayOptions {
   /// A pair gets fewer rays if the estimated standard error of its fraction is at most this: 16 rays first, then as
   /// many again, and so on. 0: each pair gets all rays.
   double error = 0;
-  /// Where rays start and end depends on the seed and the two patches alone.
+  /// Where rays start and end depends on the seed and the pair alone: the numbers of both patches, in their order.
   std::uint64_t seed = 1;
   /// What is nearer to an end of a ray is what the patch lies on, and does not block the ray: as
-  /// VisibilityOptions::tolerance. It is at least 2⁻¹⁹ of the largest coordinate: 0.2 mm in a scene of 100 m.
+  /// VisibilityOptions::tolerance. It is at least 2⁻¹⁹ of the extent of patches and occluders, 0.2 mm for 100 m, and
+  /// 2⁻²² of the largest coordinate, two steps of it.
   float tolerance = 0;
 };
 

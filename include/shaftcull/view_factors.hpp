@@ -41,10 +41,14 @@ struct ViewFactorOptions {
   /// A pair gets fewer rays if the estimated standard error of both its factors is at most this: 16 rays first, then as
   /// many again, and so on. 0: each undecided pair gets all rays.
   double error = 2e-5;
-  /// Where rays start and end depends on the seed and the two patches alone.
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1;  ///< as RayOptions::seed
   /// Pairs both of whose factors are below this are left out of the matrix; ViewFactors::left_out has their sums.
   double least = 0;
+  /// Whether rows are made to sum to 1, as those of an enclosure do: what patches i and j exchange is multiplied by a
+  /// number of i and one of j, so reciprocity stays. Patches that see nothing keep empty rows. `least` is compared
+  /// before. (Matrix balancing: R. Sinkhorn, "A Relationship Between Arbitrary Positive Matrices and Doubly Stochastic
+  /// Matrices", 1964.)
+  bool close_rows = false;
   float tolerance = 0;                          ///< as VisibilityOptions::tolerance and RayOptions::tolerance
   std::size_t memory = std::size_t{256} << 20;  ///< as VisibilityOptions::memory; the matrix is not included
   std::function<bool(const VisibilityProgress& progress)> progress = {};  ///< as VisibilityOptions::progress
@@ -55,10 +59,10 @@ struct ViewFactorOptions {
 /// scenes the matrix is symmetric in structure, as is area[i] · factor to j = area[j] · factor to i but for one
 /// rounding.
 struct ViewFactors {
-  std::vector<std::size_t> first{0};
-  std::vector<std::uint32_t> column;
-  std::vector<double> factor;
-  std::vector<double> area;  ///< of each patch
+  std::vector<std::size_t> first{0};  ///< where the factors of each row begin; then the last end
+  std::vector<std::uint32_t> column;  ///< to which patch each factor is
+  std::vector<double> factor;         ///< row by row
+  std::vector<double> area;           ///< of each patch
   std::vector<double> sum;  ///< of each row, with what is left out; 1 − sum is the share that meets no patch: the sky
   std::vector<double> error;     ///< of each sum, the estimated standard error
   std::vector<double> left_out;  ///< of each sum, the part that is below ViewFactorOptions::least
@@ -75,14 +79,16 @@ struct ViewFactors {
 /// candidates of the pair, as visible_fractions() casts them (rays.hpp). Rays are weighted by cos θ₁ cos θ₂ / r². So no
 /// factor is above that of unobstructed patches.
 ///
-/// Patches are polygons that radiate from their front. A patch without an area has an empty row. What hides others is
-/// to be among the occluders, the patches' own bodies included. Solids should not contain patches: they hide them.
+/// Patches are polygons that radiate from their front; a flat box is the rectangle that it is, and faces where the
+/// normal of its plane points. A patch without an area has an empty row. What hides others is to be among the
+/// occluders, the patches' own bodies included. Solids should not contain patches: they hide them.
 ///
 /// Factors of clear pairs are off by 10⁻⁶ of themselves at most. Time grows with the pairs that see each other, and
-/// with what visibility() takes: a second or so for the 2,500 patches of a city, on one thread. Allocates 56 bytes per
+/// with what visibility() takes: a second or two for the 2,500 patches of a city, on one thread. Allocates 56 bytes per
 /// pair with a factor, and what visible_fractions() does. Runs in parallel, in the caller's task_arena. The result is
 /// the same bits for any number of threads and on every instruction set. Throws InvalidArgument for options out of
-/// range and for patches without planes or with two sides, Cancelled, and std::bad_alloc.
+/// range, for patches without planes, with two sides, or that are boxes with an interior, and for rows that are to be
+/// closed and are off by more than 0.1; Cancelled; std::bad_alloc.
 [[nodiscard]] SHAFTCULL_EXPORT ViewFactors view_factors(const PatchSet& patches, const Occluders& occluders,
                                                         const ViewFactorOptions& options = {});
 

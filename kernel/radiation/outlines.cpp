@@ -114,6 +114,7 @@ double exchange_by_outlines(const Polygon& a, const Polygon& b) noexcept {
     const Edge outer = edge_of(a.corners(), i);
     for (std::size_t j = 0; j != b.corners().size(); ++j) {
       const Edge inner = edge_of(b.corners(), j);
+      if (outer.length == 0 || inner.length == 0) continue;  // a corner that is there twice
       sum += LogarithmOfDistance(outer, inner).get();
     }
   }

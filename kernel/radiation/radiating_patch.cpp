@@ -136,6 +136,7 @@ double by_nodes(const RadiatingPatch& a, const RadiatingPatch& b, std::span<cons
 /// By outlines, of coordinates about 1.
 double by_outlines(const RadiatingPatch& a, const RadiatingPatch& b, const Polygon& of_a,
                    const Polygon& of_b) noexcept {
+  if (b.radius < a.radius) return by_outlines(b, a, of_b, of_a);
   const double size = length(b.centre - a.centre) + a.radius + b.radius;
   const double scale = std::ldexp(1.0, -std::ilogb(size));
   return exchange_by_outlines(of_a.moved(a.centre, scale), of_b.moved(a.centre, scale)) / (scale * scale);

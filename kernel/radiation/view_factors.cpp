@@ -47,6 +47,9 @@ struct ClearRow {
 
 void require(const PatchSet& patches, const ViewFactorOptions& options) {
   kernel::require_rays(options.rays, options.error, options.tolerance);
+  VisibilityOptions asked;
+  asked.memory = options.memory;
+  kernel::require_options(asked);
   if (!(options.least >= 0)) {
     kernel::fail(InvalidArgument("least is " + std::to_string(options.least) + "; it is 0 or more"));
   }
@@ -204,47 +207,92 @@ class Rows {
     }
   }
 
+  void sort() {
+    for_each_row([&](std::size_t i) {
+      std::sort(row(i).begin(), row(i).end(), [](const Cell& p, const Cell& q) { return p.column < q.column; });
+    });
+  }
+
+  /// Multiplies what patches i and j exchange by a number of i and one of j, so that rows that are not empty sum to 1.
+  /// Throws InvalidArgument for a row that is far from it.
+  void close() {
+    constexpr double far = 0.1;
+    constexpr double near = 1e-12;
+    constexpr int most_steps = 1000;
+    const std::size_t count = patches_.size();
+    std::vector<double> scale(count, 1.0);
+    std::vector<double> next(count);
+    std::vector<double> sum(count);
+    for (int step = 0; step != most_steps; ++step) {
+      for_each_row([&](std::size_t i) {
+        double of_row = 0;
+        for (const Cell& cell : row(i)) of_row += cell.factor * scale[cell.column];
+        sum[i] = scale[i] * of_row;
+        next[i] = sum[i] > 0 ? scale[i] / std::sqrt(sum[i]) : scale[i];
+      });
+      double worst = 0;
+      for (std::size_t i = 0; i != count; ++i) {
+        const double off = sum[i] > 0 ? std::fabs(sum[i] - 1) : 0;
+        if (step == 0 && off > far) {
+          kernel::fail(InvalidArgument("close_rows: the factors of patch " + std::to_string(i) + " sum to " +
+                                       std::to_string(sum[i]) + "; only rows of an enclosure can be closed"));
+        }
+        worst = std::max(worst, off);
+      }
+      if (worst <= near) break;
+      scale.swap(next);
+    }
+    for_each_row([&](std::size_t i) {
+      for (Cell& cell : row(i)) cell.factor *= scale[i] * scale[cell.column];
+    });
+  }
+
   void fill(ViewFactors& factors) {
     const std::size_t count = patches_.size();
-    constexpr std::size_t chunk = 64;
     std::vector<std::size_t> kept(count);
-    const auto sort = [&](std::size_t part, std::size_t) {
-      for (std::size_t i = part * chunk; i != std::min((part + 1) * chunk, count); ++i) {
-        const std::span<Cell> row(cells_.data() + end_[i], end_[i + 1] - end_[i]);
-        std::sort(row.begin(), row.end(), [](const Cell& p, const Cell& q) { return p.column < q.column; });
-        double variance = 0;
-        std::size_t next = 0;
-        for (const Cell& cell : row) {
-          factors.sum[i] += cell.factor;
-          variance += double{cell.error} * cell.error;
-          if (cell.factor == 0) continue;  // rays found nothing, as far as they can tell
-          if (std::signbit(cell.error)) {
-            factors.left_out[i] += cell.factor;
-          } else {
-            row[next++] = cell;
-          }
+    for_each_row([&](std::size_t i) {
+      double variance = 0;
+      std::size_t next = 0;
+      for (const Cell& cell : row(i)) {
+        factors.sum[i] += cell.factor;
+        variance += double{cell.error} * cell.error;
+        if (cell.factor == 0) continue;  // rays found nothing, as far as they can tell
+        if (std::signbit(cell.error)) {
+          factors.left_out[i] += cell.factor;
+        } else {
+          row(i)[next++] = cell;
         }
-        factors.error[i] = std::sqrt(variance);
-        kept[i] = next;
       }
-    };
-    const auto sort_in_modes = [&](std::size_t part, std::size_t column) {
-      kernel::in_float_environment([&] { sort(part, column); });
-    };
-    kernel::parallel_for((count + chunk - 1) / chunk, 1, sort_in_modes);
+      factors.error[i] = std::sqrt(variance);
+      kept[i] = next;
+    });
     factors.first.reserve(count + 1);
     for (const std::size_t n : kept) factors.first.push_back(factors.first.back() + n);
     factors.column.reserve(factors.first.back());
     factors.factor.reserve(factors.first.back());
     for (std::size_t i = 0; i != count; ++i) {
-      for (std::size_t k = end_[i]; k != end_[i] + kept[i]; ++k) {
-        factors.column.push_back(cells_[k].column);
-        factors.factor.push_back(cells_[k].factor);
+      for (const Cell& cell : row(i).first(kept[i])) {
+        factors.column.push_back(cell.column);
+        factors.factor.push_back(cell.factor);
       }
     }
   }
 
  private:
+  [[nodiscard]] std::span<Cell> row(std::size_t i) noexcept { return {cells_.data() + end_[i], end_[i + 1] - end_[i]}; }
+
+  template <class Body>
+  void for_each_row(const Body& body) {
+    constexpr std::size_t chunk = 64;
+    const std::size_t count = patches_.size();
+    const auto some = [&](std::size_t part, std::size_t) {
+      kernel::in_float_environment([&] {
+        for (std::size_t i = part * chunk; i != std::min((part + 1) * chunk, count); ++i) body(i);
+      });
+    };
+    kernel::parallel_for((count + chunk - 1) / chunk, 1, some);
+  }
+
   std::span<const RadiatingPatch> patches_;
   std::vector<std::size_t> end_;  ///< of the row before each; then that of the last
   std::vector<Cell> cells_;
@@ -270,7 +318,10 @@ ViewFactors view_factors(const PatchSet& patches, const Occluders& occluders, co
     for (std::vector<double>* of_rows : {&factors.sum, &factors.error, &factors.left_out}) {
       of_rows->resize(patches.size());
     }
-    Rows(exchanges.exchanges(), exchanges.patches(), options.least).fill(factors);
+    Rows rows(exchanges.exchanges(), exchanges.patches(), options.least);
+    rows.sort();
+    if (options.close_rows) rows.close();
+    rows.fill(factors);
   });
   return factors;
 }

@@ -45,7 +45,7 @@ PatchCorners outline_of(const PatchTree& tree, std::size_t position) {
   const std::size_t axis = flat_axis(box);
   if (axis == 3) {
     fail(InvalidArgument("patch " + std::to_string(tree.order()[position]) +
-                         " is a box that is not flat: rays start from polygons"));
+                         " is a box that is not flat; rays and view factors are of polygons"));
   }
   return outline_of_flat_box(box, patches.has_planes() ? patches.stream(6 + axis)[position] : 1);
 }

@@ -150,7 +150,7 @@ class PatchTree {
   std::vector<TurnedGroup> turned_groups_;
   float largest_coordinate_ = 0;
   bool has_both_sides_ = false;
-  std::shared_ptr<MadeOnce<RayPatches>> ray_patches_ = std::make_shared<MadeOnce<RayPatches>>();
+  std::shared_ptr<MadeOnce<RayPatches>> ray_patches_;  ///< null if there are no patches
 };
 
 /// The corners of a box that differ.

@@ -5,12 +5,14 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <string>
 
 #include "exact/hull_mesh.hpp"
 #include "shaftcull/bounds.hpp"
 #include "shaftcull/error.hpp"
+#include "shaftcull/geometry.hpp"
 #include "support/fail.hpp"
 #include "visibility/occluders.hpp"
 #include "visibility/patch_outline.hpp"
@@ -155,7 +157,11 @@ class RayShapes::Growing {
 RayShapes::RayShapes(const OccluderData& occluders) {
   Growing growing(*this, occluders);
   shapes.reserve(occluders.size());
-  for (std::size_t i = 0; i != occluders.size(); ++i) shapes.push_back(growing.shape_of(i));
+  for (std::size_t i = 0; i != occluders.size(); ++i) {
+    shapes.push_back(growing.shape_of(i));
+    const float(&face)[8] = occluders.boxes[i].face;
+    around = joined(around, Box{{face[0], face[1], face[2]}, {face[3], face[4], face[5]}});
+  }
 }
 
 namespace {
@@ -205,15 +211,17 @@ RayPatch ray_patch(std::span<const Vec3> corners, bool is_seen_from_both_sides) 
 
 }  // namespace
 
-RayPatches::RayPatches(const PatchTree& tree)
-    : patches(tree.order().size()), largest_coordinate(tree.largest_coordinate()) {
+RayPatches::RayPatches(const PatchTree& tree) : patches(tree.order().size()) {
   const bool are_seen_from_both_sides = !tree.has_planes();
   for (std::size_t position = 0; position != patches.size(); ++position) {
-    patches[tree.order()[position]] = ray_patch(outline_of(tree, position).all(), are_seen_from_both_sides);
+    const PatchCorners outline = outline_of(tree, position);
+    patches[tree.order()[position]] = ray_patch(outline.all(), are_seen_from_both_sides);
+    around = joined(around, box_around_corners(outline.all()));
   }
 }
 
 std::shared_ptr<const RayPatches> PatchTree::ray_patches() const {
+  if (!ray_patches_) return std::make_shared<const RayPatches>(*this);
   return ray_patches_->of([&] { return RayPatches(*this); });
 }
 

@@ -2,6 +2,7 @@
 /// Patches and occluders as rays meet them.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -38,6 +39,9 @@ struct RayShapes {
   std::vector<RayPlane> planes;
   std::vector<RayTriangle> triangles;
   std::vector<Node> nodes;
+  /// What joined() to another box is that box.
+  static constexpr Box nothing{{HUGE_VALF, HUGE_VALF, HUGE_VALF}, {-HUGE_VALF, -HUGE_VALF, -HUGE_VALF}};
+  Box around = nothing;  ///< all occluders
 
   /// A flat box is the rectangle that it is. O(n log n).
   explicit RayShapes(const OccluderData& occluders);
@@ -49,7 +53,7 @@ struct RayShapes {
 /// Patches, by their indices.
 struct RayPatches {
   std::vector<RayPatch> patches;
-  float largest_coordinate = 0;  ///< its magnitude
+  Box around = RayShapes::nothing;  ///< all of them
 
   /// Throws InvalidArgument, with the position, for a patch that is a box with an interior.
   explicit RayPatches(const PatchTree& tree);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "dispatch/active_kernels.hpp"
+#include "shaftcull/geometry.hpp"
 
 namespace shaftcull::kernel {
 namespace {
@@ -26,13 +27,21 @@ std::uint64_t mixed(std::uint64_t x) noexcept {
 /// A float from 0 to below 1.
 float fraction(double x) noexcept { return static_cast<float>(std::floor((x - std::floor(x)) * 0x1p24) * 0x1p-24); }
 
-/// What rounding may do to a ray: its end, a float of the largest coordinates, lies in a plane within so much.
-float rounding_of(float largest_coordinate) noexcept { return largest_coordinate * 0x1p-19F; }
+/// What rounding may do to a ray. Its ends, which are as precise as distances are, lie in a plane within so much; and
+/// corners that are given are rounded by half of the step of coordinates.
+float rounding_of(const Box& around, float largest_coordinate) noexcept {
+  float extent = 0;
+  for (std::size_t k = 0; k != 3; ++k) extent = std::max(extent, around.hi[k] - around.lo[k]);
+  return std::max(extent * 0x1p-19F, largest_coordinate * 0x1p-22F);
+}
 
 }  // namespace
 
 SeenShare::SeenShare(const RayTally& tally, double mean_weight) noexcept : part(0), error(0) {
-  if (tally.facing == 0) return;
+  if (tally.facing == 0) {  // nothing is known
+    part = error = 1;
+    return;
+  }
   const double rays = tally.rays;
   const double mean = tally.weight / rays;
   const double mean_of_seen = tally.weight_of_seen / rays;
@@ -65,7 +74,8 @@ SightRays::SightRays(const PatchTree& a, const PatchTree& b, const OccluderData&
       occluders_(occluders),
       shapes_(occluders.ray_shapes.of([&] { return RayShapes(occluders); })),
       kernels_(active_kernels().rays),
-      margin_(std::max(tolerance, rounding_of(std::max({a_->largest_coordinate, b_->largest_coordinate,
+      margin_(std::max(tolerance, rounding_of(joined(joined(a_->around, b_->around), shapes_->around),
+                                              std::max({a.largest_coordinate(), b.largest_coordinate(),
                                                         occluders.largest_coordinate})))),
       most_rays_((most_rays + 15) / 16 * 16),
       seed_(seed),

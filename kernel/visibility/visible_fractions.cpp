@@ -62,7 +62,7 @@ void write_fractions(const PatchSet& a, const PatchSet& b, const Occluders& occl
         const kernel::RayTally tally =
             rays.cast(pairs.pairs[i], pairs.candidates.subspan(first, pairs.first_candidate[i + 1] - first),
                       options.rays, [&](const kernel::RayTally& so_far) {
-                        if (options.error == 0 || so_far.facing == 0) return options.error != 0;
+                        if (options.error == 0 || so_far.facing == 0) return false;
                         const double part = (so_far.seen + 0.5) / (so_far.facing + 1.0);
                         return part * (1 - part) <= options.error * options.error * so_far.facing;
                       });

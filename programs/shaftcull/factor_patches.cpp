@@ -24,19 +24,20 @@ Point3 outer(const Point3& p, const Point3& q) {
 }
 double length(const Point3& p) { return std::sqrt(inner(p, p)); }
 
-/// Whether corners turn one way at each of them, in one plane but for rounding.
+/// Whether corners turn one way at each of them, in one plane as far as floats can say.
 bool is_flat_and_convex(const Quadrilateral& corner) {
   const Point3 normal = outer(way(corner[0], corner[2]), way(corner[1], corner[3]));
   const double area = length(normal);
   if (!(area > 0)) return false;
-  const double diagonal = std::max(length(way(corner[0], corner[2])), length(way(corner[1], corner[3])));
+  double largest = 0;
+  for (const Point3& of : corner) largest = std::max({largest, std::fabs(of[0]), std::fabs(of[1]), std::fabs(of[2])});
   for (std::size_t c = 0; c != 4; ++c) {
     const Point3 before = way(corner[(c + 3) % 4], corner[c]);
     const Point3 behind = way(corner[c], corner[(c + 1) % 4]);
     constexpr double straight = 1e-4;
     if (inner(outer(before, behind), normal) <= straight * area * length(before) * length(behind)) return false;
-    constexpr double off_plane = 1e-5;
-    if (std::fabs(inner(normal, behind)) > off_plane * area * diagonal) return false;
+    constexpr double two_steps = 0x1p-22;
+    if (std::fabs(inner(normal, behind)) > two_steps * area * largest) return false;
   }
   return true;
 }

@@ -134,8 +134,11 @@ void add_factors(CLI::App& program) {
   add_number(factors, "--error", options->ask.error, 0, 1,
              "Fewer rays where the standard error of a factor is at most this (default: 0.00002)")
       ->type_name("E");
-  add_number(factors, "--min", options->ask.least, 0, 1, "Leave out smaller factors, and tell what they add up to")
-      ->type_name("F");
+  CLI::Option* least =
+      add_number(factors, "--min", options->ask.least, 0, 1, "Leave out smaller factors, and tell what they add up to")
+          ->type_name("F");
+  factors.add_flag("--close", options->ask.close_rows,
+                   "Scale factors so that they sum to 1 for each patch, as in a closed room");
   add_number(factors, "--seed", options->scene.seed, 0, largest_seed, "Seed of rays and --rooms (default: 1)")
       ->type_name("S");
   factors
@@ -148,7 +151,8 @@ void add_factors(CLI::App& program) {
                          ->type_name("FILE");
   factors.add_option("--ply", options->ply, "Write patches as a mesh, coloured by the sky they see: face i is patch i")
       ->type_name("FILE");
-  factors.add_flag("--objects", options->objects, "Report also the factors between each two objects");
+  factors.add_flag("--objects", options->objects, "Report also the factors between each two objects")
+      ->excludes(least);  // small ones add up
   factors.add_option("--up", options->up, "With --svg: the axis that points up in the scene (default: z)")
       ->check(CLI::IsMember({"x", "y", "z"}))
       ->type_name("AXIS")

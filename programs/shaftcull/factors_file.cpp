@@ -75,8 +75,13 @@ void write_npz(const FactorsResult& result, const std::string& path) {
   file.add({"patch_corners", "<f4", {3}}).append(std::span<const Vec3>(result.patches.corners));
   append_as<std::int64_t>(file.add({"first_corner", "<i8"}), std::span<const std::size_t>(result.patches.first));
   std::vector<std::uint32_t> objects;
-  for (std::size_t i = 0; i != result.patches.size(); ++i) objects.push_back(result.object_of(i));
+  std::vector<std::uint32_t> triangles;
+  for (std::size_t i = 0; i != result.patches.size(); ++i) {
+    objects.push_back(result.object_of(i));
+    triangles.push_back(result.triangle_of(i));
+  }
   file.add({"patch_objects", "<u4"}).append(std::span<const std::uint32_t>(objects));
+  file.add({"patch_triangles", "<u4"}).append(std::span<const std::uint32_t>(triangles));
   file.finish();
 }
 

@@ -19,6 +19,7 @@ struct Summary {
   double area = 0;
   double mean_sky = 0;  ///< by area
   double largest_sum = 0;
+  std::size_t of_largest = 0;  ///< the patch
   double largest_error = 0;
   double left_out = 0;  ///< the largest of a row
 };
@@ -28,7 +29,10 @@ Summary summary_of(const FactorsResult& result) {
   for (std::size_t i = 0; i != result.factors.size(); ++i) {
     of.area += result.factors.area[i];
     of.mean_sky += result.factors.area[i] * result.sky(i);
-    of.largest_sum = std::max(of.largest_sum, result.factors.sum[i]);
+    if (result.factors.sum[i] > of.largest_sum) {
+      of.largest_sum = result.factors.sum[i];
+      of.of_largest = i;
+    }
     of.largest_error = std::max(of.largest_error, result.factors.error[i]);
     of.left_out = std::max(of.left_out, result.factors.left_out[i]);
   }
@@ -65,10 +69,17 @@ std::string text_of(const FactorsResult& result) {
       result.patch_size == 0 ? "" : fmt::format(" of at most {}", result.patch_size));
   text += fmt::format("pairs: {} clear, {} by rays, {} occluded, {} facing away\n", grouped(counts.clear),
                       grouped(counts.undecided), grouped(counts.occluded), grouped(counts.facing_away));
-  text += fmt::format(
-      "{} above 0; the largest row sum is {:.6f}, the largest estimated error of one {:.1e}\n"
-      "sky: {:.2f} % of the radiation of all patches meets none\n",
-      count(result.factors.factor.size(), "factor"), of.largest_sum, of.largest_error, 100 * of.mean_sky);
+  text += fmt::format("{} above 0; the largest estimated error of a row's sum is {:.1e}\n",
+                      count(result.factors.factor.size(), "factor"), of.largest_error);
+  if (of.largest_sum > 0) {
+    text += fmt::format("the largest sum is {:.6f}, of patch {}, of {}\n", of.largest_sum, of.of_largest,
+                        printable(result.scene.mesh.names[result.object_of(of.of_largest)]));
+  }
+  text += fmt::format("sky: {:.2f} % of the radiation of all patches meets none\n", 100 * of.mean_sky);
+  if (result.scene.tolerance > 0) {
+    text += fmt::format("patches that are off a plane by {} at most lie in it, and see nothing of it\n",
+                        result.scene.tolerance);
+  }
   if (of.left_out > 0) text += fmt::format("left out, as they are small: at most {:.6f} of a row\n", of.left_out);
   if (result.shows_objects) {
     Table table({"from", "to", "factor"});
@@ -90,11 +101,12 @@ std::string csv_of(const FactorsResult& result) {
     });
     return text;
   }
-  std::string text = "patch,object,area,row_sum,sky,error\n";
+  std::string text = "patch,object,triangle,area,row_sum,sky,error,left_out\n";
   for (std::size_t i = 0; i != result.patches.size(); ++i) {
-    text +=
-        fmt::format("{},{},{:.9g},{:.9g},{:.9g},{:.3g}\n", i, csv_cell(result.scene.mesh.names[result.object_of(i)]),
-                    result.factors.area[i], result.factors.sum[i], result.sky(i), result.factors.error[i]);
+    text += fmt::format("{},{},{},{:.9g},{:.9g},{:.9g},{:.3g},{:.9g}\n", i,
+                        csv_cell(result.scene.mesh.names[result.object_of(i)]), result.triangle_of(i),
+                        result.factors.area[i], result.factors.sum[i], result.sky(i), result.factors.error[i],
+                        result.factors.left_out[i]);
   }
   return text;
 }

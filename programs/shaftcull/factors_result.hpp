@@ -31,6 +31,10 @@ struct FactorsResult {
   [[nodiscard]] std::uint32_t object_of(std::size_t patch) const {
     return scene.mesh.triangles[patches.triangle[patch]].object;
   }
+  /// The number, within the object, of the first triangle that the patch is of.
+  [[nodiscard]] std::uint32_t triangle_of(std::size_t patch) const {
+    return scene.mesh.triangles[patches.triangle[patch]].triangle;
+  }
   /// What part of a patch's radiation meets no patch.
   [[nodiscard]] double sky(std::size_t patch) const { return factors.sum[patch] < 1 ? 1 - factors.sum[patch] : 0; }
   [[nodiscard]] std::vector<double> skies() const;

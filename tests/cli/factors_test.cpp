@@ -95,16 +95,16 @@ TEST_F(CliFactors, AreWrittenAsLines) {
 TEST_F(CliFactors, TellOfEachPatch) {
   const std::vector<std::string> rows = lines(output_of({"factors", cube(), "--format", "csv"}));
   ASSERT_GE(rows.size(), 7U);
-  EXPECT_EQ(rows[0], "patch,object,area,row_sum,sky,error");
-  EXPECT_THAT(rows[1], HasSubstr("0,floor,1,"));
+  EXPECT_EQ(rows[0], "patch,object,triangle,area,row_sum,sky,error,left_out");
+  EXPECT_THAT(rows[1], HasSubstr("0,floor,0,1,"));
   // Without a ceiling the floor sees a fifth of the sky.
   const std::string open = folder_.write(
       "open.obj",
       "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
       "o floor\nf 1 2 3 4\no south\nf 1 5 6 2\no north\nf 4 3 7 8\no west\nf 1 4 8 5\no east\nf 2 6 7 3\n");
   const std::vector<double> floor = numbers_in(lines(output_of({"factors", open, "--format", "csv"}))[1]);
-  ASSERT_GE(floor.size(), 4U);
-  EXPECT_NEAR(floor[3], 0.199825, 1e-5);
+  ASSERT_GE(floor.size(), 5U);
+  EXPECT_NEAR(floor[4], 0.199825, 1e-5);
 }
 
 TEST_F(CliFactors, LeaveOutSmallOnesAndSaySo) {
@@ -114,6 +114,11 @@ TEST_F(CliFactors, LeaveOutSmallOnesAndSaySo) {
   EXPECT_GT(some["largest_left_out"], 0.01);
   EXPECT_EQ(all["largest_left_out"], 0);
   EXPECT_EQ(some["largest_row_sum"], all["largest_row_sum"]);
+}
+
+TEST_F(CliFactors, OfAClosedRoomCanBeClosed) {
+  EXPECT_NEAR(report({"--close", "--patches", "0.5"})["largest_row_sum"], 1, 1e-9);
+  EXPECT_THAT(refusal_of({"factors", "--rooms", "1", "--close"}), HasSubstr("only rows of an enclosure"));
 }
 
 TEST_F(CliFactors, AreDrawn) {
@@ -148,6 +153,7 @@ TEST_F(CliFactors, RefuseWhatTheyCannotDo) {
   EXPECT_THAT(refusal_of({"factors", cube(), "--out", folder_.path("a.csv"), "--svg", folder_.path("a.csv")}),
               HasSubstr("give two files"));
   EXPECT_THAT(refusal_of({"factors", cube(), "--up", "z"}), HasSubstr("--svg"));
+  EXPECT_THAT(refusal_of({"factors", cube(), "--objects", "--min", "0.1"}), HasSubstr("--min"));
   EXPECT_THAT(refusal_of({"factors", cube(), "--patches", "0.0001"}), HasSubstr("more than"));
   EXPECT_THAT(refusal_of({"factors", folder_.path("none.obj")}), HasSubstr("none.obj"));
   EXPECT_EQ(files_in(folder_.path("")), 1U) << "no file was written";

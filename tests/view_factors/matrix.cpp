@@ -270,6 +270,52 @@ TEST(ViewFactors, BookWhatIsLeftOut) {
   }
 }
 
+// Few rays face where most of a patch is behind the other one: they are cast until enough are known.
+TEST(ViewFactors, OfPatchesThatHardlyFaceAreNotForgotten) {
+  RadiatingScene scene;
+  scene.add({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0});
+  scene.add({0, 0, -6}, {0, 1, -6}, {0, 1, 0.06F}, {0, 0, 0.06F});  // a wall, 1 % of it above the floor
+  Occluders between;
+  between.add_polygons(std::vector<Vec3>{{0.3F, 0.9F, 0}, {0.3F, 1.5F, 0}, {0.3F, 1.5F, 0.05F}, {0.3F, 0.9F, 0.05F}},
+                       std::vector<std::size_t>{0, 4});
+  const ViewFactors factors = view_factors(scene.patches(), between);
+  ASSERT_EQ(factors.counts.undecided, 1U);
+  const double most = view_factor(scene.patch(0), scene.patch(1));
+  EXPECT_GT(most, 0.01);
+  EXPECT_GT(factors(0, 1), 0.5 * most);
+  EXPECT_LE(factors(0, 1), most);
+  EXPECT_GT(factors.error[0], 0);
+}
+
+TEST(ViewFactors, OfAnEnclosureCanBeClosed) {
+  RadiatingScene room;
+  room.add_box({{0, 0, 0}, {4, 4, 4}}, 3, true);
+  room.add_box({{1, 1, 1}, {2, 2, 2}}, 1, false);
+  const PatchSet patches = room.patches();
+  const Occluders occluders = room.occluders();
+  const ViewFactors open = view_factors(patches, occluders);
+  ViewFactorOptions options;
+  options.close_rows = true;
+  const ViewFactors closed = view_factors(patches, occluders, options);
+  EXPECT_EQ(closed.first, open.first);
+  EXPECT_EQ(closed.column, open.column);
+  bool was_open = false;
+  for (std::size_t i = 0; i != room.size(); ++i) {
+    EXPECT_NEAR(closed.sum[i], 1, 1e-11);
+    was_open = was_open || std::fabs(open.sum[i] - 1) > 1e-6;
+    for (std::size_t j = 0; j != room.size(); ++j) {
+      EXPECT_NEAR(closed(i, j), open(i, j), 0.01 * open(i, j));
+      EXPECT_NEAR(closed.area[i] * closed(i, j), closed.area[j] * closed(j, i), 1e-14);
+    }
+  }
+  EXPECT_TRUE(was_open);
+  RadiatingScene two;
+  two.add({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0});
+  two.add({0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1});
+  EXPECT_EQ(message_of([&] { static_cast<void>(view_factors(two.patches(), {}, options)); }),
+            "close_rows: the factors of patch 0 sum to 0.199825; only rows of an enclosure can be closed");
+}
+
 TEST(ViewFactors, OfNothingAreNone) {
   const ViewFactors none = view_factors({}, {});
   EXPECT_EQ(none.size(), 0U);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numbers>
 #include <span>
@@ -230,6 +231,41 @@ TEST(ViewFactor, TakesAnyConvexPolygon) {
   const Corners repeated{{0, 0, 3}, {0, 1, 3}, {0, 1, 3}, {1, 0, 3}};
   EXPECT_NEAR(view_factor(round, triangle), view_factor(round, repeated), 1e-11);
   EXPECT_EQ(view_factor(round, Corners{{0, 0, 3}, {0, 1, 3}, {0, 2, 3}}), 0) << "a polygon without area";
+}
+
+TEST(ViewFactor, TakesCornersThatAreThereTwice) {
+  const Corners floor{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  const Corners wall{{0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}};
+  const double right = view_factor(floor, wall);
+  for (std::size_t i = 0; i != 4; ++i) {
+    for (std::size_t j = 0; j != 4; ++j) {
+      Corners twice_wall = wall;
+      Corners twice_floor = floor;
+      twice_wall.insert(twice_wall.begin() + static_cast<std::ptrdiff_t>(i), wall[i]);
+      twice_floor.insert(twice_floor.begin() + static_cast<std::ptrdiff_t>(j), floor[j]);
+      EXPECT_NEAR(view_factor(floor, twice_wall), right, 1e-9);
+      EXPECT_NEAR(view_factor(twice_floor, twice_wall), right, 1e-9);
+      EXPECT_NEAR(view_factor(twice_wall, twice_floor), right, 1e-9);
+    }
+  }
+}
+
+// A sensor above the ground: the closed form of a small patch opposite to the middle of a rectangle.
+TEST(ViewFactor, OfASmallPolygonNearALargeOneKeepsItsDigits) {
+  for (const float size : {1.0F, 0.1F, 0.01F, 0.001F, 0.0001F}) {
+    for (const float side : {10.0F, 1000.0F}) {
+      const float half = side / 2;
+      for (const float height : {1.0F, 3.0F}) {
+        const Corners ground{{-half, -half, 0}, {half, -half, 0}, {half, half, 0}, {-half, half, 0}};
+        const Corners sensor{
+            {-size, -size, height}, {-size, size, height}, {size, size, height}, {size, -size, height}};
+        const double x = double{half} / height;
+        const double root = std::sqrt(1 + x * x);
+        const double right = 4 * x / root * std::atan(x / root) / std::numbers::pi;
+        EXPECT_NEAR(view_factor(sensor, ground), right, 1e-8 + size * size) << size << ", " << side << ", " << height;
+      }
+    }
+  }
 }
 
 TEST(ViewFactor, SaysWhatItRefuses) {

@@ -234,7 +234,8 @@ TEST(VisibilityMemory, OfRaysAndViewFactorsThatRunsOutLeavesNothingBehind) {
     expect_nothing_left([&] {
       // What is prepared for rays is of these alone.
       const PatchSet others(scene.corners, scene.first);
-      const Occluders between = occluders;
+      Occluders between = occluders;
+      between.add_boxes(std::span<const Box>());
       std::vector<float> fractions(found.undecided.size());
       visible_fractions(others, others, between, {found.undecided, found.first_candidate, found.candidates}, fractions);
     });

@@ -1125,6 +1125,7 @@ def view_factors(
     error: float = 2e-05,
     seed: int = 1,
     least: float = 0.0,
+    close: bool = False,
     tolerance: float = 0.0,
     memory: int = 268435456,
     progress: Callable[[int, int], object] | None = None,
@@ -1139,6 +1140,7 @@ def view_factors(
     rays: most rays of a pair, 1 to 65536. error: a pair gets fewer if the standard error of its factors is at most
         this. seed: chooses the points of rays.
     least: pairs both of whose factors are below this are left out; left_out has their sums.
+    close: whether rows are scaled to sum to 1, as those of a closed room do; ValueError if they are far from it.
     tolerance: as of visibility(). memory: bytes that answers under way may take, besides the factors, 1 MB or more.
     progress: called as progress(done, total) some times a second, on this thread; if it raises, the call ends.
 

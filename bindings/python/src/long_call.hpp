@@ -30,7 +30,7 @@ auto while_hearing(Options options, const py::object& progress, Call&& call) {
   };
   const auto report = [&] {
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    if (!progress.is_none()) progress(done.load(), total.load());
+    if (!progress.is_none() && total != 0) progress(done.load(), total.load());
   };
   std::future<decltype(call(options))> answer;
   {

@@ -83,8 +83,8 @@ void add_view_factors(py::module_& module) {
   module.def(
       "view_factors",
       [](const py::object& patches, const py::object& planes, const py::object& occluders, const py::object& triangles,
-         const py::object& faces, std::uint32_t rays, double error, std::uint64_t seed, double least, float tolerance,
-         std::size_t memory, const py::object& progress) {
+         const py::object& faces, std::uint32_t rays, double error, std::uint64_t seed, double least, bool close,
+         float tolerance, std::size_t memory, const py::object& progress) {
         const Rounding exact = rounding_in(py::none());
         const PatchSet set = patches_in(patches, planes, exact, "patches", "planes");
         const py::object nothing = py::none();
@@ -95,6 +95,7 @@ void add_view_factors(py::module_& module) {
         options.error = error;
         options.seed = seed;
         options.least = least;
+        options.close_rows = close;
         options.tolerance = tolerance;
         options.memory = memory;
         return factors_of(while_hearing(
@@ -102,8 +103,8 @@ void add_view_factors(py::module_& module) {
       },
       arg("patches"), py::kw_only(), arg("planes") = none, arg("occluders") = none, arg("triangles") = none,
       arg("faces") = none, arg("rays") = ViewFactorOptions().rays, arg("error") = ViewFactorOptions().error,
-      arg("seed") = ViewFactorOptions().seed, arg("least") = ViewFactorOptions().least, arg("tolerance") = 0.0F,
-      arg("memory") = ViewFactorOptions().memory, arg("progress") = none, R"(
+      arg("seed") = ViewFactorOptions().seed, arg("least") = ViewFactorOptions().least, arg("close") = false,
+      arg("tolerance") = 0.0F, arg("memory") = ViewFactorOptions().memory, arg("progress") = none, R"(
 The view factors of each two patches: of clear pairs as view_factor(), of others by rays, and 0 of pairs that
 one solid hides and that face away. The same bits for any number of processors. Returns a ViewFactors.
 
@@ -114,6 +115,7 @@ occluders: boxes, which count as solid; or Occluders. triangles with faces: what
 rays: most rays of a pair, 1 to 65536. error: a pair gets fewer if the standard error of its factors is at most
     this. seed: chooses the points of rays.
 least: pairs both of whose factors are below this are left out; left_out has their sums.
+close: whether rows are scaled to sum to 1, as those of a closed room do; ValueError if they are far from it.
 tolerance: as of visibility(). memory: bytes that answers under way may take, besides the factors, 1 MB or more.
 progress: called as progress(done, total) some times a second, on this thread; if it raises, the call ends.
 

@@ -453,6 +453,10 @@ def test_view_factors_of_all_pairs():
     assert np.array_equal(again.data, factors.data)
     fewer = sc.view_factors(room, triangles=triangles_of(room), least=0.01, rays=64, error=1e-3, seed=5, memory=1 << 20)
     assert len(fewer.data) < len(factors.data) and fewer.left_out.any()
+    closed = sc.view_factors(room, triangles=triangles_of(room), close=True)
+    assert closed.row_sum == pytest.approx(np.ones(n), abs=1e-11)
+    with pytest.raises(ValueError, match="only rows of an enclosure"):
+        sc.view_factors(room[:6], close=True)
     scipy = pytest.importorskip("scipy.sparse")
     matrix = scipy.csr_array((factors.data, factors.indices, factors.indptr), factors.shape)
     assert matrix.has_canonical_format and (matrix.toarray() == dense).all()

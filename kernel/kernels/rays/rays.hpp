@@ -99,7 +99,7 @@ std::uint64_t form_rays(const RayPatch& a, const RayPatch& b, const float* const
 }
 
 /// As RayKernels has it. Where a ray enters the last of the three slabs of a box, and where it leaves the first: T. Kay
-/// and J. Kajiya, "Ray Tracing Complex Scenes", 1986. A ray along a face meets nothing.
+/// and J. Kajiya, "Ray Tracing Complex Scenes", 1986. A ray in the plane of a face may count as one that is inside.
 template <class L>
 std::uint64_t meet_box(const RayPacket& packet, const float* box, std::uint64_t asked) noexcept {
   using Vector = typename L::Vector;
