@@ -55,9 +55,8 @@ struct ViewFactorOptions {
 };
 
 /// View factors of all pairs of a set: a sparse matrix in rows (CSR). Row i has the factors from patch i to others:
-/// factor[k] is to patch column[k], for k from first[i] to first[i + 1]. Columns ascend; factors are above 0. Of most
-/// scenes the matrix is symmetric in structure, as is area[i] · factor to j = area[j] · factor to i but for one
-/// rounding.
+/// factor[k] is to patch column[k], for k from first[i] to first[i + 1]. Columns ascend; factors are above 0. Where row
+/// i has a factor to j, row j has one to i, and area[i] F(i, j) = area[j] F(j, i) but for rounding.
 struct ViewFactors {
   std::vector<std::size_t> first{0};  ///< where the factors of each row begin; then the last end
   std::vector<std::uint32_t> column;  ///< to which patch each factor is
