@@ -144,6 +144,19 @@ TEST(VisibleFraction, CountsNoRayThatLeavesOrArrivesBehind) {
   EXPECT_EQ(fractions_of(sunk, sunk, {}, {{0, 1}})[0], 1);
 }
 
+// How near to a patch something blocks depends on the extent of the scene more than on where it is.
+TEST(VisibleFraction, IsHalfBehindHalfAWallFarFromTheOriginToo) {
+  constexpr float far = 100000;
+  const auto at = [](float x, float y, float z) { return Vec3{far + x, far + y, z}; };
+  const PatchSet patches(std::vector<Vec3>{at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0), at(0, 0, 0.25F),
+                                           at(0, 1, 0.25F), at(1, 1, 0.25F), at(1, 0, 0.25F)},
+                         std::vector<std::size_t>{0, 4, 8});
+  Occluders wall;
+  wall.add_polygons(std::vector<Vec3>{at(-1, -1, 0.125F), at(0.5F, -1, 0.125F), at(0.5F, 2, 0.125F), at(-1, 2, 0.125F)},
+                    one_of_four);
+  EXPECT_NEAR(fractions_of(patches, patches, wall, {{0, 1}}, {.rays = 4096})[0], 0.5, 0.01);
+}
+
 // What a patch lies on is not between it and another one.
 TEST(VisibleFraction, IsNotLessForTheSurfacesThatPatchesLieOn) {
   for (const float far : {0.0F, 1000.0F}) {

@@ -480,6 +480,14 @@ def test_view_factors_say_what_they_refuse():
         sc.view_factors(cube, progress=stop)
 
 
+def test_progress_is_told_of_pairs_only_where_there_are_any():
+    shares = []
+    sc.view_factors(np.zeros((0, 4, 3), np.float32), progress=lambda done, total: shares.append(done / total))
+    assert shares == []
+    sc.view_factors(inward_box((0, 0, 0), (1, 1, 1), True), progress=lambda done, total: shares.append(done / total))
+    assert shares[-1] == 1
+
+
 def test_fractions_of_undecided_pairs():
     floor = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], np.float32)
     ceiling = floor[::-1] + np.float32([0, 0, 2])
