@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// View factors in files.
+#include <algorithm>
 #include <array>
-#include <iterator>
 
 #include <fmt/format.h>
 
@@ -11,43 +11,19 @@
 #include "printable.hpp"
 #include "shaftcull/error.hpp"
 #include "share_colours.hpp"
+#include "text_lines.hpp"
 
 namespace shaftcull::cli {
 namespace {
 
-constexpr std::size_t bytes_at_once = std::size_t{1} << 20;
-
-/// Lines of a file, many at a time.
-class TextFile {
- public:
-  explicit TextFile(const std::string& path) : file_(path) {}
-
-  template <class... Values>
-  void add(fmt::format_string<Values...> format, Values&&... values) {
-    fmt::format_to(std::back_inserter(text_), format, std::forward<Values>(values)...);
-    if (text_.size() >= bytes_at_once) write();
-  }
-  void finish() {
-    write();
-    file_.finish();
-  }
-
- private:
-  void write() {
-    file_.write(text_);
-    text_.clear();
-  }
-
-  OutputFile file_;
-  std::string text_;
-};
+constexpr std::size_t numbers_at_once = std::size_t{1} << 20;
 
 /// Rows of numbers as another type, some at a time.
 template <class To, class From>
 void append_as(NpyArray& array, std::span<const From> values) {
   std::vector<To> some;
-  for (std::size_t i = 0; i < values.size(); i += bytes_at_once) {
-    const std::span<const From> part = values.subspan(i, std::min(bytes_at_once, values.size() - i));
+  for (std::size_t i = 0; i < values.size(); i += numbers_at_once) {
+    const std::span<const From> part = values.subspan(i, std::min(numbers_at_once, values.size() - i));
     some.assign(part.begin(), part.end());
     array.append(std::span<const To>(some));
   }
@@ -87,13 +63,15 @@ void write_npz(const FactorsResult& result, const std::string& path) {
 
 void write_csv(const FactorsResult& result, const std::string& path) {
   const ViewFactors& factors = result.factors;
-  TextFile file(path);
-  file.add("from,to,factor\n");
+  OutputFile file(path);
+  TextLines lines(file);
+  lines.add("from,to,factor\n");
   for (std::size_t i = 0; i != factors.size(); ++i) {
     for (std::size_t k = factors.first[i]; k != factors.first[i + 1]; ++k) {
-      file.add("{},{},{:.9g}\n", i, factors.column[k], factors.factor[k]);
+      lines.add("{},{},{:.9g}\n", i, factors.column[k], factors.factor[k]);
     }
   }
+  lines.write();
   file.finish();
 }
 
@@ -121,13 +99,14 @@ void write_sky_svg(const FactorsResult& result, const std::string& path, std::si
 }
 
 void write_sky_ply(const FactorsResult& result, const std::string& path) {
-  TextFile file(path);
-  file.add("ply\nformat ascii 1.0\n");
+  OutputFile file(path);
+  TextLines lines(file);
+  lines.add("ply\nformat ascii 1.0\n");
   for (std::size_t i = 0; i != result.scene.mesh.names.size(); ++i) {
-    file.add("comment object {} {}\n", i, printable(result.scene.mesh.names[i]));
+    lines.add("comment object {} {}\n", i, printable(result.scene.mesh.names[i]));
   }
   // Many programs show colours of vertices only.
-  file.add(
+  lines.add(
       "element vertex {}\nproperty float x\nproperty float y\nproperty float z\n"
       "property uchar red\nproperty uchar green\nproperty uchar blue\n"
       "element face {}\nproperty list uchar int vertex_indices\nproperty uint object\nproperty float sky\nend_header\n",
@@ -135,15 +114,16 @@ void write_sky_ply(const FactorsResult& result, const std::string& path) {
   for (std::size_t i = 0; i != result.patches.size(); ++i) {
     const auto [red, green, blue] = colour_at(ramp_of_seen, result.sky(i));
     for (const Vec3& corner : result.patches.of(i)) {
-      file.add("{} {} {} {} {} {}\n", corner[0], corner[1], corner[2], red, green, blue);
+      lines.add("{} {} {} {} {} {}\n", corner[0], corner[1], corner[2], red, green, blue);
     }
   }
   for (std::size_t i = 0; i != result.patches.size(); ++i) {
     const std::size_t count = result.patches.of(i).size();
-    file.add("{}", count);
-    for (std::size_t c = 0; c != count; ++c) file.add(" {}", result.patches.first[i] + c);
-    file.add(" {} {:.6g}\n", result.object_of(i), result.sky(i));
+    lines.add("{}", count);
+    for (std::size_t c = 0; c != count; ++c) lines.add(" {}", result.patches.first[i] + c);
+    lines.add(" {} {:.6g}\n", result.object_of(i), result.sky(i));
   }
+  lines.write();
   file.finish();
 }
 

@@ -1,45 +1,17 @@
 // SPDX-License-Identifier: MIT
 /// The coloured mesh of `shaftcull sees`.
 #include <algorithm>
-#include <iterator>
-
-#include <fmt/format.h>
 
 #include "printable.hpp"
 #include "sees_run.hpp"
 #include "share_colours.hpp"
+#include "text_lines.hpp"
 
 namespace shaftcull::cli {
-namespace {
-
-constexpr std::size_t lines_at_once = std::size_t{1} << 20;
-
-/// Lines of a file, many at a time.
-class PlyText {
- public:
-  explicit PlyText(OutputFile& file) : file_(file) {}
-
-  template <class... Values>
-  void add(fmt::format_string<Values...> format, Values&&... values) {
-    fmt::format_to(std::back_inserter(text_), format, std::forward<Values>(values)...);
-    if (text_.size() >= lines_at_once) write();
-  }
-  void write() {
-    file_.write(text_);
-    text_.clear();
-  }
-
- private:
-  OutputFile& file_;
-  std::string text_;
-};
-
-}  // namespace
-
 void write_ply(const SeesScene& scene, const SeenShares& shares, OutputFile& file) {
   const std::span<const double> seen = shares.seen();
   const double most = *std::max_element(seen.begin(), seen.end());
-  PlyText lines(file);
+  TextLines lines(file);
   lines.add("ply\nformat ascii 1.0\n");
   for (std::size_t i = 0; i < scene.mesh.names.size(); ++i) {
     lines.add("comment object {} {}\n", i, printable(scene.mesh.names[i]));

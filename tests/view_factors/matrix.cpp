@@ -17,7 +17,7 @@
 #include "instruction_sets.hpp"
 #include "message_of.hpp"
 #include "shaftcull/shaftcull.hpp"
-#include "view_factors/inward_boxes.hpp"
+#include "view_factors/radiating_scene.hpp"
 
 #if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
 #include <oneapi/tbb/task_arena.h>

@@ -14,7 +14,7 @@
 #include "sanitizers.hpp"
 #include "shaftcull/shaftcull.hpp"
 #include "solids/meshes.hpp"
-#include "view_factors/inward_boxes.hpp"
+#include "view_factors/radiating_scene.hpp"
 
 namespace shaftcull {
 namespace {
