@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-# Checks which folder of kernel/ includes which, against the table in docs/architecture.md, that no two files of kernel/ have the
-# same name, and that bindings include the public headers only. Given: KERNEL, the library's sources; BINDINGS, the folder of the
+# Checks which folder of kernel/ includes which, against the table in docs/architecture.md; that no two files of kernel/ have the
+# same name; that each source which computes with floats is refused with flags that would make its answers wrong; and that bindings
+# include the public headers only. Given: KERNEL, the library's sources; BINDINGS, the folder of the
 # interfaces for other languages; PAGE, that document.
 cmake_minimum_required(VERSION 3.22)
 
@@ -57,10 +58,12 @@ foreach(folder IN LISTS existing)
     endif()
     list(APPEND names ${name})
     set(path_of_${name} ${path})
+    list(APPEND kernel_files ${source})
     file(STRINGS ${KERNEL}/${source} lines REGEX "^ *# *include|tbb::|xsimd::|__m(128|256|512)")
     foreach(line IN LISTS lines)
       if(line MATCHES "^ *# *include \"([^\"]+)\"")
         set(path ${CMAKE_MATCH_1})
+        list(APPEND included_by_${source} ${path})
         string(REGEX REPLACE "/.*" "" other ${path})
         math(EXPR includes "${includes} + 1")
         if(NOT path MATCHES "/")
@@ -78,6 +81,31 @@ foreach(folder IN LISTS existing)
       endif()
     endforeach()
   endforeach()
+endforeach()
+
+# What includes support/exact_floats.hpp, maybe by way of other headers. Sources that need not do not compute with floats.
+set(exact support/exact_floats.hpp)
+set(found 0)
+list(LENGTH exact count)
+while(NOT found EQUAL count)
+  set(found ${count})
+  foreach(source IN LISTS kernel_files)
+    if(NOT source IN_LIST exact)
+      foreach(path IN LISTS included_by_${source})
+        if(path IN_LIST exact)
+          list(APPEND exact ${source})
+          break()
+        endif()
+      endforeach()
+    endif()
+  endforeach()
+  list(LENGTH exact count)
+endwhile()
+set(without_floats support/arguments.cpp visibility/visibility_arguments.cpp support/processor.cpp compiled/answers.cpp)
+foreach(source IN LISTS kernel_files)
+  if(source MATCHES "[.]cpp$" AND NOT source IN_LIST exact AND NOT source IN_LIST without_floats)
+    message(SEND_ERROR "kernel/${source} does not include support/exact_floats.hpp, so that -ffast-math would not be refused")
+  endif()
 endforeach()
 
 # Bindings: each has a row, and includes the public headers and its own files. Tests of theirs may look at more.

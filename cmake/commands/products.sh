@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 # Makes what is given to users: packages, the page, the documentation. Sourced by cmake/run.
 
-# package [--check]: Debian packages in build/packages; or such as are tried out, in build/packages-tried. These are less
-# optimised, so that they are compiled in two thirds of the time.
+# package [--check]: Debian packages in build/packages; or such as are tried out, in build/packages-tried. These are not optimised,
+# and have the instruction sets of this machine, so that they are compiled in half the time.
 command_package() {
-  local python compile link targets folder=packages optimised="-O3 -DNDEBUG" build
+  local python compile link targets folder=packages optimised="-O3 -DNDEBUG" sets=AUTO build
   command -v dpkg-deb >/dev/null ||
     stop "cmake/run: only Debian and its like make Debian packages. docs/packages.md has other ways to install."
   for_library
@@ -26,11 +26,15 @@ command_package() {
   cd "$root"
   # Debian's flags, without debugging information, which would be stripped. No -march: each instruction set has its own flags.
   export DEB_BUILD_MAINT_OPTIONS=hardening=+bindnow DEB_CXXFLAGS_MAINT_STRIP=-g
-  if [[ ${1:-} == --check ]]; then folder=packages-tried optimised="-O1 -DNDEBUG"; fi
+  if [[ ${1:-} == --check ]]; then
+    folder=packages-tried optimised="-O0 -DNDEBUG" sets=BEST
+    DEB_BUILD_MAINT_OPTIONS+=,-fortify  # which needs optimisation
+  fi
   build=build/${folder/packages/package}
   compile="$(dpkg-buildflags --get CXXFLAGS) $(dpkg-buildflags --get CPPFLAGS)"
   link=$(dpkg-buildflags --get LDFLAGS)
   cmake --preset package -B "$build" -D CMAKE_CXX_FLAGS="$compile" -D CMAKE_CXX_FLAGS_RELEASE="$optimised" \
+    -D SHAFTCULL_INSTRUCTION_SETS="$sets" \
     -D CMAKE_EXE_LINKER_FLAGS="$link" \
     -D CMAKE_SHARED_LINKER_FLAGS="$link" -D CMAKE_MODULE_LINKER_FLAGS="$link" "${python[@]}"
   targets=(shaftcull shaftcull_c shaftcull_cli)

@@ -6,6 +6,7 @@ command_demo() {
   for_library
   for_program
   install_missing
+  instruction_sets=BEST
   configure_and_build release -D SHAFTCULL_BUILD_PROGRAM=ON shaftcull_cli
   "$root/build/release/bin/shaftcull" demo "$@"
 }

@@ -44,7 +44,7 @@ run_tests() {
     if [[ $layer == all || $area == @(bench|paper) ]]; then options+=(-D SHAFTCULL_BUILD_BENCH=ON); fi
   fi
   case $layer in
-    quick) targets=(shaftcull_quick_tests) filter=(--label-regex '^quick$') ;;
+    quick) instruction_sets=BEST targets=(shaftcull_quick_tests) filter=(--label-regex '^quick$') ;;
     ci) targets=(shaftcull_ci_tests) filter=(--label-regex '^(quick|ci)$') ;;
     all)
       if [[ $preset == @(asan|arm64|s390x|windows|wasm) ]]; then targets=(shaftcull_tests); fi
@@ -52,10 +52,7 @@ run_tests() {
       ;;
   esac
   if [[ $area ]]; then targets=("test_$area") filter+=(-R "^$area([.]|\$)"); fi
-  if [[ $preset == @(asan|tsan) && $layer == ci ]]; then
-    # Instruction sets that the best one includes are left out, as for anybody who builds for one processor (kernel/simd/baseline.hpp).
-    options=(-D "CMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -g1 -DNDEBUG -march=native")
-  fi
+  if [[ $preset == @(asan|tsan) && $layer == ci ]]; then instruction_sets=BEST; fi
   configure_and_build "$preset" "${options[@]}" "${targets[@]}"
   built=$SECONDS
   (cd "$root" && ctest --preset "$preset" --parallel "$jobs" "${filter[@]}" "$@")

@@ -25,7 +25,7 @@ void add_blocking(const CompiledShaft& shaft, const BoxView& view, Digest& diges
 
 /// Shafts between two boxes, a quarter of them on a lattice, a quarter of any floats, half of them with added planes;
 /// boxes and spheres, of which many touch. `blocking`: what blocks is asked in place of what is kept.
-std::uint64_t answers(std::uint64_t scenes, Way way, Contact contact, bool blocking = false) {
+std::uint64_t of_pairs(std::uint64_t scenes, Way way, Contact contact, bool blocking = false) {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   Numbers numbers;
   Digest digest;
@@ -75,8 +75,8 @@ std::uint64_t answers(std::uint64_t scenes, Way way, Contact contact, bool block
 
 }  // namespace
 
-std::uint64_t between_boxes(std::uint64_t scenes, Way way) { return answers(scenes, way, Contact::closed); }
-std::uint64_t between_boxes_open(std::uint64_t scenes, Way way) { return answers(scenes, way, Contact::open); }
-std::uint64_t what_blocks(std::uint64_t scenes, Way way) { return answers(scenes, way, Contact::closed, true); }
+std::uint64_t between_boxes(std::uint64_t scenes, Way way) { return of_pairs(scenes, way, Contact::closed); }
+std::uint64_t between_boxes_open(std::uint64_t scenes, Way way) { return of_pairs(scenes, way, Contact::open); }
+std::uint64_t what_blocks(std::uint64_t scenes, Way way) { return of_pairs(scenes, way, Contact::closed, true); }
 
 }  // namespace shaftcull::hashes

@@ -16,7 +16,7 @@
 namespace shaftcull::hashes {
 namespace {
 
-constexpr std::size_t patches_a_set = 20;
+constexpr std::size_t facets_a_set = 20;
 
 /// Convex polygons, as PatchSet and Occluders take them.
 struct Facets {
@@ -123,8 +123,8 @@ std::uint64_t facet_sights(std::uint64_t scenes, Way /*way*/) {
   Digest digest;
   for (std::uint64_t s = 0; s != scenes; ++s) {
     const Number number = s % 2 == 0 ? &Numbers::grid : &Numbers::fine;
-    const Facets of_a = facets(numbers, number, patches_a_set);
-    const Facets of_b = facets(numbers, number, patches_a_set);
+    const Facets of_a = facets(numbers, number, facets_a_set);
+    const Facets of_b = facets(numbers, number, facets_a_set);
     const PatchSet a(of_a.corners, of_a.first);
     const PatchSet b(of_b.corners, of_b.first);
     const Occluders between = occluders(numbers, number, of_a);

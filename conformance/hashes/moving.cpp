@@ -39,7 +39,7 @@ Scene scene(std::size_t s, Numbers& numbers) {
   return scene;
 }
 
-std::uint64_t answers(std::uint64_t scenes, Way way, Contact contact) {
+std::uint64_t of_moving(std::uint64_t scenes, Way way, Contact contact) {
   Numbers numbers;
   Digest digest;
   for (std::size_t s = 0; s != scenes; ++s) {
@@ -93,8 +93,8 @@ void add_normals(const CompiledShaft& shaft, const View& view, Way way, Digest& 
 
 }  // namespace
 
-std::uint64_t moving_boxes(std::uint64_t scenes, Way way) { return answers(scenes, way, Contact::closed); }
-std::uint64_t moving_boxes_open(std::uint64_t scenes, Way way) { return answers(scenes, way, Contact::open); }
+std::uint64_t moving_boxes(std::uint64_t scenes, Way way) { return of_moving(scenes, way, Contact::closed); }
+std::uint64_t moving_boxes_open(std::uint64_t scenes, Way way) { return of_moving(scenes, way, Contact::open); }
 
 std::uint64_t first_contacts(std::uint64_t scenes, Way way) {
   Numbers numbers;

@@ -78,7 +78,7 @@ void add_lists(std::span<const CompiledShaft> shafts, const Bounds& tree, Way wa
 }
 
 template <class Bound, class Tree>
-std::uint64_t answers(std::uint64_t scenes, Way way) {
+std::uint64_t of_trees(std::uint64_t scenes, Way way) {
   Numbers numbers;
   Digest digest;
   for (std::uint64_t s = 0; s != scenes; ++s) {
@@ -114,8 +114,8 @@ std::uint64_t answers(std::uint64_t scenes, Way way) {
 
 }  // namespace
 
-std::uint64_t box_trees(std::uint64_t scenes, Way way) { return answers<Box, BoxTree>(scenes, way); }
-std::uint64_t sphere_trees(std::uint64_t scenes, Way way) { return answers<Sphere, SphereTree>(scenes, way); }
-std::uint64_t triangle_trees(std::uint64_t scenes, Way way) { return answers<Triangle, TriangleTree>(scenes, way); }
+std::uint64_t box_trees(std::uint64_t scenes, Way way) { return of_trees<Box, BoxTree>(scenes, way); }
+std::uint64_t sphere_trees(std::uint64_t scenes, Way way) { return of_trees<Sphere, SphereTree>(scenes, way); }
+std::uint64_t triangle_trees(std::uint64_t scenes, Way way) { return of_trees<Triangle, TriangleTree>(scenes, way); }
 
 }  // namespace shaftcull::hashes

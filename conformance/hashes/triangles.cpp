@@ -18,7 +18,7 @@
 namespace shaftcull::hashes {
 namespace {
 
-std::uint64_t answers(std::uint64_t scenes, TriangleTest test) {
+std::uint64_t of_triangles(std::uint64_t scenes, TriangleTest test) {
   Numbers numbers;
   Digest digest;
   for (std::size_t s = 0; s != scenes; ++s) {
@@ -52,8 +52,8 @@ std::uint64_t answers(std::uint64_t scenes, TriangleTest test) {
 }  // namespace
 
 std::uint64_t triangles_by_vertices(std::uint64_t scenes, Way /*way*/) {
-  return answers(scenes, TriangleTest::vertices);
+  return of_triangles(scenes, TriangleTest::vertices);
 }
-std::uint64_t triangles_exactly(std::uint64_t scenes, Way /*way*/) { return answers(scenes, TriangleTest::exact); }
+std::uint64_t triangles_exactly(std::uint64_t scenes, Way /*way*/) { return of_triangles(scenes, TriangleTest::exact); }
 
 }  // namespace shaftcull::hashes

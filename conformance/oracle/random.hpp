@@ -13,6 +13,8 @@
 
 namespace shaftcull {
 
+inline constexpr float largest_float = std::numeric_limits<float>::max();
+
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
@@ -30,7 +32,7 @@ class Random {
   /// A finite float of any sign and a binary exponent from low (−149: denormals) to high (127: up to 3.4e38).
   float wild(int low = -149, int high = 127) {
     const float magnitude = std::ldexp(uniform(1.0F, 2.0F), static_cast<int>(integer(low, high)));
-    const float finite = std::min(magnitude, std::numeric_limits<float>::max());
+    const float finite = std::min(magnitude, largest_float);
     return one_in(2) ? finite : -finite;
   }
   /// `x`, or one of the two finite floats on either side of it.

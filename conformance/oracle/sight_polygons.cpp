@@ -2,14 +2,11 @@
 /// Scenes whose patches are polygons.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "oracle/sight_scene.hpp"
 
 namespace shaftcull {
 namespace {
-
-constexpr float largest = std::numeric_limits<float>::max();
 
 /// Draws polygons in place of boxes.
 class PolygonPainter {
@@ -43,7 +40,7 @@ class PolygonPainter {
     }
     if (random_.one_in(3)) std::reverse(corners.begin(), corners.end());
     for (Vec3& corner : corners) {
-      for (float& x : corner) x = std::clamp(x, -largest, largest);
+      for (float& x : corner) x = std::clamp(x, -largest_float, largest_float);
     }
     return corners;
   }
@@ -56,7 +53,7 @@ class PolygonPainter {
     for (const std::size_t c : {1U, 2U}) corners[c][i] = box.lo[i] == corners[c][i] ? box.hi[i] : box.lo[i];
     for (const std::size_t c : {2U, 3U}) corners[c][j] = box.lo[j] == corners[c][j] ? box.hi[j] : box.lo[j];
     for (Vec3& corner : corners) {
-      for (float& x : corner) x = std::clamp(x, -largest, largest);
+      for (float& x : corner) x = std::clamp(x, -largest_float, largest_float);
     }
     return corners;
   }
@@ -68,7 +65,7 @@ class PolygonPainter {
     const Box& box = one();
     Vec3 extent{};
     for (std::size_t k = 0; k != 3; ++k) {
-      const float length = std::min(box.hi[k] - box.lo[k], largest);
+      const float length = std::min(box.hi[k] - box.lo[k], largest_float);
       extent[k] = random_.one_in(4) ? 0 : random_.one_in(2) ? length : -length;
     }
     return extent;
@@ -77,7 +74,7 @@ class PolygonPainter {
     Vec3 point{};
     for (std::size_t k = 0; k != 3; ++k) {
       const double x = double{from_[k]} + double{s} * double{side_[0][k]} + double{t} * double{side_[1][k]};
-      point[k] = static_cast<float>(std::clamp(x, -double{largest}, double{largest}));
+      point[k] = static_cast<float>(std::clamp(x, -double{largest_float}, double{largest_float}));
     }
     return point;
   }

@@ -3,12 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace shaftcull {
 namespace {
-
-constexpr float largest = std::numeric_limits<float>::max();
 
 /// Draws the parts of a scene.
 class SightPainter {
@@ -20,7 +17,7 @@ class SightPainter {
     constexpr float factors[] = {1, 0.37F, 0.1F, 0x1p-20F, 1e6F};
     factor_ = factors[random_.below(5)];
     if (is(SightScenery::tiny)) factor_ = random_.one_in(2) ? 0x1p-149F : 0x1p-128F;
-    if (is(SightScenery::huge)) factor_ = largest / static_cast<float>(2 * reach_);
+    if (is(SightScenery::huge)) factor_ = largest_float / static_cast<float>(2 * reach_);
   }
 
   SightScene paint() {
@@ -85,7 +82,7 @@ class SightPainter {
       } else if (is(SightScenery::nudged)) {
         box.hi[k] = std::max(box.lo[k], random_.nudge(box.lo[k] + random_.integer(0, size)));
       } else {
-        box.hi[k] = std::min(largest, box.lo[k] + random_.integer(0, size) * factor_);
+        box.hi[k] = std::min(largest_float, box.lo[k] + random_.integer(0, size) * factor_);
       }
     }
     if (is(SightScenery::flat)) {
@@ -150,7 +147,7 @@ class SightPainter {
     for (std::size_t k = 0; k != 3; ++k) {
       offset += double{plane.normal[k]} * double{random_.one_in(2) ? patch.lo[k] : patch.hi[k]};
     }
-    const double most = static_cast<double>(largest);
+    const double most = static_cast<double>(largest_float);
     plane.offset = static_cast<float>(std::clamp(offset, -most, most));
     if (random_.one_in(4)) plane.offset = random_.nudge(plane.offset);
     if (random_.one_in(12)) plane.offset = coordinate();
@@ -175,7 +172,7 @@ class SightPainter {
         plane.normal = other.normal;
         double offset = 0;
         for (std::size_t k = 0; k != 3; ++k) offset += double{plane.normal[k]} * double{boxes.back().hi[k]};
-        const double most = static_cast<double>(largest);
+        const double most = static_cast<double>(largest_float);
         plane.offset = static_cast<float>(std::clamp(offset, -most, most));
       }
       planes.push_back(plane);
@@ -310,7 +307,7 @@ class SightPainter {
         const std::size_t axis = random_.below(3);
         const float depth = inside.hi[axis] - inside.lo[axis];
         inside.lo[axis] = inside.hi[axis];
-        inside.hi[axis] = std::min(largest, inside.hi[axis] + depth);
+        inside.hi[axis] = std::min(largest_float, inside.hi[axis] + depth);
       }
       scene_.found.inner_boxes.push_back(inside);
     }

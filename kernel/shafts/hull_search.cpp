@@ -12,7 +12,7 @@ namespace shaftcull::kernel {
 namespace {
 
 /// What a candidate for a plane of the hull has on its two sides.
-struct Sides {
+struct VertexSides {
   VertexSet in_plane = 0;
   bool beyond = false;
   bool behind = false;
@@ -27,8 +27,8 @@ struct Sides {
 
 /// Compares all vertices with a plane until it is known to support the hull, or not to.
 template <class Side>
-Sides sides_of(const HullData& hull, Side side_of_vertex) noexcept {
-  Sides sides;
+VertexSides sides_of(const HullData& hull, Side side_of_vertex) noexcept {
+  VertexSides sides;
   for (unsigned v = 0; v < hull.vertices && sides.is_supporting(); ++v) sides.add(v, side_of_vertex(v));
   return sides;
 }
@@ -72,7 +72,7 @@ class HullSearch {
     const std::uint8_t vertices[3] = {static_cast<std::uint8_t>(p), static_cast<std::uint8_t>(q),
                                       static_cast<std::uint8_t>(r)};
     const SpannedPlane plane = plane_through(hull_, vertices);
-    const Sides sides = sides_of(hull_, [&](unsigned v) {
+    const VertexSides sides = sides_of(hull_, [&](unsigned v) {
       const Step to[3] = {step_between(hull_, p, v, 0), step_between(hull_, p, v, 1), step_between(hull_, p, v, 2)};
       return v == p || v == q || v == r ? 0 : plane.sign_along(to);
     });
@@ -103,7 +103,8 @@ class HullSearch {
   void try_edge(unsigned axis, unsigned p, unsigned q, Found& found) noexcept {
     const ProjectedLine line(hull_, axis, p, q);
     if (!line.is_oblique()) return;  // a point, or a face of the box
-    const Sides sides = sides_of(hull_, [&](unsigned v) { return v == p || v == q ? 0 : line.side_of(hull_, v); });
+    const VertexSides sides =
+        sides_of(hull_, [&](unsigned v) { return v == p || v == q ? 0 : line.side_of(hull_, v); });
     if (!sides.is_supporting()) return;
     found.add(sides.in_plane);
     const bool is_face = faces_along_[axis].holds(sides.in_plane);

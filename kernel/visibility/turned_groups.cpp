@@ -12,7 +12,7 @@
 namespace shaftcull::kernel {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 double distance(const Direction& a, const Direction& b) noexcept {
   return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));
@@ -54,7 +54,7 @@ class TurnedGroupsOf {
     for_each_patch(group, [&](std::uint32_t i) {
       for (std::size_t k = 0; k != 3; ++k) sum[k] += planes_[i].mean[k];
     });
-    FacingPlanes planes{unit(sum), infinity, -infinity, 0};
+    FacingPlanes planes{unit(sum), unbounded, -unbounded, 0};
     for_each_patch(group, [&](std::uint32_t i) {
       const double along = component(planes.mean, tree_.corners_of(i).all().front());
       planes.least = std::min(planes.least, along);
@@ -72,7 +72,7 @@ class TurnedGroupsOf {
 
 FacingPlanes facing_planes(std::span<const Vec3> corners) noexcept {
   const PatchNormals normals(corners);
-  if (normals.all().empty()) return {{0, 0, 0}, 0, 0, infinity};
+  if (normals.all().empty()) return {{0, 0, 0}, 0, 0, unbounded};
   FacingPlanes planes{normals.all().front(), 0, 0, 0};
   for (const Direction& normal : normals.all()) planes.spread = std::max(planes.spread, distance(normal, planes.mean));
   planes.spread += 0x1p-26;  // the error of computed normals, and of their distances

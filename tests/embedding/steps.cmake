@@ -123,4 +123,4 @@ function(hashes_as_answered)
   hashes("${expected}")
 endfunction()
 
-include(${CMAKE_CURRENT_LIST_DIR}/../machine.cmake)
+include(${SHAFTCULL}/cmake/machine.cmake)

@@ -244,6 +244,8 @@ def build(preset: str, layer: str, jobs: int) -> Path:
     options = ["-DSHAFTCULL_BUILD_TESTS=ON", "-DSHAFTCULL_BUILD_PYTHON=AUTO"]
     if layer != "quick":
         options.append("-DSHAFTCULL_BUILD_PROGRAM=ON")
+    elif preset == "release":
+        options.append("-DSHAFTCULL_INSTRUCTION_SETS=BEST")
     steps = [
         ["cmake", "--preset", preset, "-B", str(folder), *options],
         ["cmake", "--build", str(folder), "-j", str(jobs), "--target", LAYERS[layer][0]],

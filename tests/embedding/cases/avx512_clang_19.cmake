@@ -3,6 +3,6 @@
 needs(clang++-19)
 configure(clang++-19 -D "PARENT_OPTIONS=-O0 -march=skylake-avx512" -D SHAFTCULL_WITH_TBB=OFF)
 build()
-if(machine_has_avx512)
+if(shaftcull_set_of_machine STREQUAL "avx512")
   answers("scalar: as on record\navx512: as on record\n")
 endif()

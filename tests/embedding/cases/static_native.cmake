@@ -5,7 +5,7 @@ needs(g++ -march=native)
 configure(g++ -D "PARENT_OPTIONS=-O0 -march=native"
   -D PARENT_MORE=${CMAKE_CURRENT_LIST_DIR}/../parent/more.cmake)
 build()
-if(machine_has_avx512)
+if(shaftcull_set_of_machine STREQUAL "avx512")
   answers("scalar: as on record\navx512: as on record\n")
 else()
   answers()
