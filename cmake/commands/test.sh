@@ -55,7 +55,7 @@ run_tests() {
   if [[ $preset == @(asan|tsan) && $layer == ci ]]; then instruction_sets=BEST; fi
   configure_and_build "$preset" "${options[@]}" "${targets[@]}"
   built=$SECONDS
-  (cd "$root" && ctest --preset "$preset" --parallel "$jobs" "${filter[@]}" "$@")
+  (cd "$root" && SHAFTCULL_TEST_LAYER=$layer ctest --preset "$preset" --parallel "$jobs" "${filter[@]}" "$@")
   printf '\n%d s on %d processors: packages %d, building %d, tests %d\n' $((SECONDS - start)) "$jobs" \
     $((installed - start)) $((built - installed)) $((SECONDS - built))
 }

@@ -691,6 +691,7 @@ def main() -> int:
     rows = known
     if any(fault.label not in known for fault in faults):
         os.environ.update(environment_of(arguments.preset))
+        os.environ["SHAFTCULL_TEST_LAYER"] = arguments.layer  # how many random cases there are (tests/sanitizers.hpp)
         entries = run_without_fault(runner, entries_of(folder, LAYERS[arguments.layer][1], arguments.only), arguments.jobs)
         rows = try_faults(runner, faults, entries, path, known, arguments.jobs)
     missed = report(faults, rows, time.monotonic() - begin)
