@@ -107,7 +107,7 @@ void expect_all_right(SightScenery scenery, std::uint64_t small, std::uint64_t l
             << seen.occluded << ", facing away " << seen.facing_away << "\n";
   EXPECT_GT(seen.undecided, random_cases(100));
   EXPECT_GT(seen.clear, random_cases(100));
-  EXPECT_GT(seen.occluded, random_cases(20));
+  EXPECT_GT(seen.occluded, random_cases(10));
   EXPECT_GT(seen.facing_away, random_cases(change == Change::corners_seen_from_both_sides ? 5 : 100));
 }
 
