@@ -112,7 +112,26 @@ typedef void (*shaftcull_error_handler)(shaftcull_status status, const char* mes
 SHAFTCULL_API shaftcull_error_handler shaftcull_set_error_handler(shaftcull_error_handler handler);
 
 /// The name of a status, for example "bad bound"; "unknown status" for any other number. Valid for ever. Never fails.
-SHAFTCULL_API const char* shaftcull_status_name(shaftcull_status status);
+static inline const char* shaftcull_status_name(shaftcull_status status) {
+  switch (status) {
+    case SHAFTCULL_OK:
+      return "ok";
+    case SHAFTCULL_INVALID_ARGUMENT:
+      return "invalid argument";
+    case SHAFTCULL_BAD_BOUND:
+      return "bad bound";
+    case SHAFTCULL_NEEDS_REFIT:
+      return "needs refit";
+    case SHAFTCULL_OUT_OF_MEMORY:
+      return "out of memory";
+    case SHAFTCULL_STOPPED:
+      return "stopped";
+    case SHAFTCULL_INTERNAL_ERROR:
+      return "internal error";
+    default:
+      return "unknown status";
+  }
+}
 
 /* ---- Values ---- */
 
@@ -476,9 +495,6 @@ SHAFTCULL_API shaftcull_status shaftcull_shafts_create(uint64_t count, shaftcull
 /// Frees an array; does nothing for NULL.
 SHAFTCULL_API void shaftcull_shafts_free(shaftcull_shafts* shafts);
 
-/// The number of shafts of an array; 0 for NULL. Never fails. O(1).
-SHAFTCULL_API uint64_t shaftcull_shafts_count(const shaftcull_shafts* shafts);
-
 /// Copies shafts from [source_first, source_first + count) of `source` to [first, first + count) of `shafts`. Both may
 /// be the same array, and ranges may overlap. O(count). If `source` ever held a hull, the first such copy takes O(all
 /// of `shafts`), and allocates as shaftcull_shafts_set_hull().
@@ -750,7 +766,20 @@ enum {
 };
 
 /// The name of an answer, for example "occluded"; "unknown" for any other number. Valid for ever. Never fails. O(1).
-SHAFTCULL_API const char* shaftcull_sight_name(shaftcull_sight sight);
+static inline const char* shaftcull_sight_name(shaftcull_sight sight) {
+  switch (sight) {
+    case SHAFTCULL_SIGHT_UNDECIDED:
+      return "undecided";
+    case SHAFTCULL_SIGHT_CLEAR:
+      return "clear";
+    case SHAFTCULL_SIGHT_OCCLUDED:
+      return "occluded";
+    case SHAFTCULL_SIGHT_FACING_AWAY:
+      return "facing_away";
+    default:
+      return "unknown";
+  }
+}
 
 /// Patches, in a tree: convex polygons, or boxes, each with or without a plane. A patch faces where its normal points.
 /// They never change.
@@ -929,7 +958,12 @@ typedef struct shaftcull_visibility_options {
 } shaftcull_visibility_options;
 
 /// 256 MB, open contact, solids around ends, candidates, no tolerance, no callbacks. Never fails.
-SHAFTCULL_API shaftcull_visibility_options shaftcull_default_visibility_options(void);
+static inline shaftcull_visibility_options shaftcull_default_visibility_options(void) {
+  const shaftcull_visibility_options options = {
+      268435456, SHAFTCULL_CONTACT_OPEN, 1, 1, 0, (shaftcull_resolve_callback)0, (shaftcull_progress_callback)0,
+      (void*)0};
+  return options;
+}
 
 /* For the functions below: the pairs are those of a patch of `a` and a patch of `b`; if `b` is NULL, each two patches
    of `a`, once. `options` may be NULL: the default ones. `counts`, the number of pairs with each answer, may be NULL
@@ -971,6 +1005,88 @@ SHAFTCULL_API void shaftcull_visibility_result_free(shaftcull_visibility_result*
 SHAFTCULL_API shaftcull_status shaftcull_visibility_result_describe(const shaftcull_visibility_result* result,
                                                                     shaftcull_sight_batch* batch,
                                                                     shaftcull_sight_counts* counts);
+
+/* ---- Rays and view factors ---- */
+
+/// The options of rays (RayOptions of rays.hpp).
+typedef struct shaftcull_ray_options {
+  uint64_t seed;   /* where rays start and end depends on it and on the pair alone */
+  double error;    /* a pair gets fewer rays if its estimated standard error is at most this; 0: all rays */
+  uint32_t rays;   /* per pair, 1 to 65536; a multiple of 16 is cast */
+  float tolerance; /* what is nearer to an end of a ray does not block it */
+} shaftcull_ray_options;
+
+/// 64 rays, seed 1, no error, no tolerance. Never fails.
+static inline shaftcull_ray_options shaftcull_default_ray_options(void) {
+  const shaftcull_ray_options options = {1, 0, 64, 0};
+  return options;
+}
+
+/// Writes the visible fraction of each pair, from 0 to 1, into `fractions`, pairs->count of them: of the segments
+/// between points of both patches that leave and arrive in front, the share that no candidate blocks. `pairs` are of a
+/// patch of `a` and a patch of `b`, of `a` if that is NULL, with candidates. `options` may be NULL: the default ones.
+/// May be called from a shaftcull_resolve_callback. Refuses pairs and candidates out of range, pairs without
+/// candidates, options out of range, and patches that are boxes with an interior. In parallel if there are many pairs;
+/// the first call with some occluders prepares them; allocates. The same bits on every machine.
+SHAFTCULL_API shaftcull_status shaftcull_visible_fractions(const shaftcull_patches* a, const shaftcull_patches* b,
+                                                           const shaftcull_occluders* occluders,
+                                                           const shaftcull_undecided_pairs* pairs,
+                                                           const shaftcull_ray_options* options, float* fractions);
+
+/// The options of view factors (ViewFactorOptions of view_factors.hpp).
+typedef struct shaftcull_view_factor_options {
+  uint64_t memory;                      /* bytes for answers under way, 1 MB or more; not for the matrix */
+  uint64_t seed;                        /* as of rays */
+  double error;                         /* as of rays, for both factors of a pair; 0: all rays */
+  double least;                         /* pairs both of whose factors are below this are left out of the matrix */
+  uint32_t rays;                        /* most rays per undecided pair, 1 to 65536 */
+  uint32_t close_rows;                  /* 1: rows are made to sum to 1, as those of an enclosure do */
+  float tolerance;                      /* as of visibility and of rays */
+  shaftcull_progress_callback progress; /* or NULL */
+  void* user;                           /* for that */
+} shaftcull_view_factor_options;
+
+/// 256 MB, seed 1, error 2e-5, all pairs, 4096 rays, rows as they are, no tolerance, no callback. Never fails.
+static inline shaftcull_view_factor_options shaftcull_default_view_factor_options(void) {
+  const shaftcull_view_factor_options options = {268435456, 1, 2e-5, 0, 4096, 0, 0, (shaftcull_progress_callback)0,
+                                                 (void*)0};
+  return options;
+}
+
+/// View factors of each two patches of a set: a sparse matrix in rows (CSR).
+typedef struct shaftcull_factor_matrix shaftcull_factor_matrix;
+
+/// Makes the matrix of view factors of patches: shaftcull_view_factor() of pairs that are clear, 0 of those that are
+/// occluded or facing away, and of others that times the visible part, by rays. `options` may be NULL: the default
+/// ones. SHAFTCULL_STOPPED if a callback ends the call. Refuses options out of range, patches without planes, with two
+/// sides, or that are boxes with an interior, and rows that are to be closed and are off by more than 0.1. In parallel;
+/// allocates 56 bytes per pair with a factor. The same bits on every machine. Freed by shaftcull_factor_matrix_free().
+SHAFTCULL_API shaftcull_status shaftcull_view_factors(const shaftcull_patches* patches,
+                                                      const shaftcull_occluders* occluders,
+                                                      const shaftcull_view_factor_options* options,
+                                                      shaftcull_factor_matrix** matrix);
+
+/// Frees a matrix; does nothing for NULL.
+SHAFTCULL_API void shaftcull_factor_matrix_free(shaftcull_factor_matrix* matrix);
+
+/// A matrix. Row i has the factors from patch i: factor[k] is to patch column[k], for k from first[i] to before
+/// first[i + 1]; columns ascend. Pointers are valid until the matrix is freed.
+typedef struct shaftcull_factor_matrix_info {
+  uint64_t size;                 /* of patches, and of each of the arrays below that is not said to be of factors */
+  uint64_t factors;              /* how many the matrix has */
+  const uint64_t* first;         /* size + 1: where the factors of each row begin, and the last end */
+  const uint32_t* column;        /* of each factor, the patch that it is to */
+  const double* factor;          /* of each factor, its value */
+  const double* area;            /* of each patch */
+  const double* sum;             /* of each row, with what is left out; 1 - sum meets no patch: the sky */
+  const double* error;           /* of each sum, the estimated standard error */
+  const double* left_out;        /* of each sum, the part that is below shaftcull_view_factor_options.least */
+  shaftcull_sight_counts counts; /* of pairs */
+} shaftcull_factor_matrix_info;
+
+/// The parts of a matrix. O(1); no allocation.
+SHAFTCULL_API shaftcull_status shaftcull_factor_matrix_describe(const shaftcull_factor_matrix* matrix,
+                                                                shaftcull_factor_matrix_info* info);
 
 /* ---- Instruction sets ---- */
 

@@ -37,6 +37,14 @@ struct shaftcull_lists {
   shaftcull::IndexLists lists;
 };
 
+struct shaftcull_patches {
+  shaftcull::PatchSet set;
+};
+
+struct shaftcull_occluders {
+  shaftcull::Occluders all;
+};
+
 namespace shaftcull::binding {
 
 template <class Holder>

@@ -85,10 +85,6 @@ shaftcull_status shaftcull_shafts_create(uint64_t count, shaftcull_shafts** shaf
 
 void shaftcull_shafts_free(shaftcull_shafts* shafts) { delete shafts; }
 
-uint64_t shaftcull_shafts_count(const shaftcull_shafts* shafts) {
-  return shafts == nullptr ? 0 : shafts->compiled.size();
-}
-
 shaftcull_status shaftcull_shafts_copy(shaftcull_shafts* shafts, uint64_t first, const shaftcull_shafts* source,
                                        uint64_t source_first, uint64_t count) {
   return guarded([&] {

@@ -85,27 +85,6 @@ shaftcull_error_handler shaftcull_set_error_handler(shaftcull_error_handler hand
   return shaftcull::binding::error_handler.exchange(handler);
 }
 
-const char* shaftcull_status_name(shaftcull_status status) {
-  switch (status) {
-    case SHAFTCULL_OK:
-      return "ok";
-    case SHAFTCULL_INVALID_ARGUMENT:
-      return "invalid argument";
-    case SHAFTCULL_BAD_BOUND:
-      return "bad bound";
-    case SHAFTCULL_NEEDS_REFIT:
-      return "needs refit";
-    case SHAFTCULL_OUT_OF_MEMORY:
-      return "out of memory";
-    case SHAFTCULL_STOPPED:
-      return "stopped";
-    case SHAFTCULL_INTERNAL_ERROR:
-      return "internal error";
-    default:
-      return "unknown status";
-  }
-}
-
 uint32_t shaftcull_version() { return SHAFTCULL_VERSION; }
 
 }  // extern "C"

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "sights.hpp"
 #include "sources.hpp"
 #include "status.hpp"
 
@@ -23,15 +24,6 @@ using shaftcull::SightBatch;
 using shaftcull::SightCounts;
 using shaftcull::UndecidedPairs;
 using shaftcull::VisibilityOptions;
-using shaftcull::VisibilityProgress;
-
-struct shaftcull_patches {
-  PatchSet set;
-};
-
-struct shaftcull_occluders {
-  Occluders all;
-};
 
 struct shaftcull_visibility_result {
   std::vector<shaftcull_pair_block> blocks;
@@ -43,10 +35,6 @@ struct shaftcull_visibility_result {
 };
 
 namespace {
-
-shaftcull_sight_counts from_sights(const SightCounts& counts) noexcept {
-  return {counts.undecided, counts.clear, counts.occluded, counts.facing_away};
-}
 
 shaftcull_pair_block from_block(const PairBlock& block) noexcept {
   return {{block.a.first, block.a.count}, {block.b.first, block.b.count}, static_cast<shaftcull_sight>(block.sight)};
@@ -84,10 +72,6 @@ class UndecidedInC {
   std::vector<std::uint64_t> first_candidate_;
 };
 
-void go_on_if(std::int32_t returned) {
-  if (returned != 0) fail(Stopped(returned));
-}
-
 constexpr const char* sight_enumerators =
     "SHAFTCULL_SIGHT_UNDECIDED, SHAFTCULL_SIGHT_CLEAR, SHAFTCULL_SIGHT_OCCLUDED and SHAFTCULL_SIGHT_FACING_AWAY";
 
@@ -118,12 +102,7 @@ VisibilityOptions as_options(const shaftcull_visibility_options* options) {
       }
     };
   }
-  if (options->progress != nullptr) {
-    out.progress = [progress = options->progress, user = options->user](const VisibilityProgress& come) {
-      go_on_if(progress(come.done, come.total, user));
-      return true;
-    };
-  }
+  if (options->progress != nullptr) out.progress = as_progress(options->progress, options->user);
   return out;
 }
 
@@ -194,21 +173,6 @@ void use_triangles(const shaftcull_source* triangles, const Use& use) {
 }  // namespace
 
 extern "C" {
-
-shaftcull_visibility_options shaftcull_default_visibility_options() {
-  const VisibilityOptions options;
-  shaftcull_visibility_options out{};
-  out.memory = options.memory;
-  out.contact = static_cast<shaftcull_contact>(options.contact);
-  out.solids_around_ends = options.solids_around_ends ? 1 : 0;
-  out.candidates = options.candidates ? 1 : 0;
-  out.tolerance = options.tolerance;
-  return out;
-}
-
-const char* shaftcull_sight_name(shaftcull_sight sight) {
-  return sight > SHAFTCULL_SIGHT_FACING_AWAY ? "unknown" : shaftcull::name(static_cast<Sight>(sight));
-}
 
 shaftcull_status shaftcull_patches_create(const shaftcull_source* boxes, const shaftcull_plane* planes,
                                           uint64_t plane_count, shaftcull_patches** patches) {

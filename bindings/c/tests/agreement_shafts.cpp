@@ -132,7 +132,7 @@ void make_shafts(Random& random, Shafts& shafts) {
   add_hull(made<HullHandle>(shaftcull_hull_of_casters, view.get(), vectors[3].data()), casters(same_view, vectors[3]));
   add_hull(made<HullHandle>(shaftcull_hull_of_casters_towards, view.get(), vectors[3].data()),
            casters_towards(same_view, vectors[3]));
-  ASSERT_EQ(next, shaftcull_shafts_count(c)) << "the array has as many shafts as were made";
+  ASSERT_EQ(next, std::uint64_t{all}) << "the array has as many shafts as were made";
 
   // Some have their planes already.
   ok(shaftcull_shafts_complete(c, 0, 3));

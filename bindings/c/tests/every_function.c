@@ -193,7 +193,6 @@ static shaftcull_shafts* three_shafts(void) {
 
 static void arrays_of_shafts(void) {
   shaftcull_shafts* shafts = three_shafts();
-  CHECK(shaftcull_shafts_count(shafts) == 3 && shaftcull_shafts_count(NULL) == 0);
   shaftcull_shafts_info info;
   OK(shaftcull_shafts_describe(shafts, 0, &info));
   CHECK(memcmp(&info.a, &lamp, sizeof lamp) == 0 && memcmp(&info.b, &table, sizeof table) == 0);
@@ -1306,6 +1305,100 @@ static void visibility(void) {
   shaftcull_patches_free(NULL);
 }
 
+/* A room of six unit squares that face inwards, and a screen in the middle that hides half of the ceiling's view. */
+static const float room[72] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 1, 1, 1, 1, 0, 1,
+                               0, 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 0, 1, 1, 1, 1, 1, 1, 0,
+                               0, 0, 0, 0, 0, 1, 1, 0, 1, 1, 0, 0, 0, 1, 0, 1, 1, 0, 1, 1, 1, 0, 1, 1};
+static const uint64_t first_of_walls[7] = {0, 4, 8, 12, 16, 20, 24};
+static const float screen[12] = {0, 0, 0.5F, 0.5F, 0, 0.5F, 0.5F, 1, 0.5F, 0, 1, 0.5F};
+static const uint64_t first_of_screen[2] = {0, 4};
+
+static void rays_and_view_factors(void) {
+  shaftcull_patches* walls = NULL;
+  shaftcull_patches* from_both = NULL;
+  shaftcull_occluders* occluders = NULL;
+  OK(shaftcull_patches_create_polygons(room, 24, first_of_walls, 6, SHAFTCULL_PATCH_FRONT, &walls));
+  OK(shaftcull_patches_create_polygons(room, 24, first_of_walls, 6, SHAFTCULL_PATCH_BOTH, &from_both));
+  OK(shaftcull_occluders_create(&occluders));
+
+  shaftcull_factor_matrix* matrix = NULL;
+  shaftcull_factor_matrix_info info;
+  OK(shaftcull_view_factors(walls, occluders, NULL, &matrix));
+  OK(shaftcull_factor_matrix_describe(matrix, &info));
+  CHECK(info.size == 6 && info.factors == 30 && info.first[0] == 0 && info.first[6] == 30);
+  CHECK(info.column[0] == 1 && info.factor[0] > 0.19982 && info.factor[0] < 0.19983);
+  CHECK(info.area[5] == 1 && fabs(info.sum[5] - 1) < 1e-7 && info.error[5] == 0 && info.left_out[5] == 0);
+  CHECK(info.counts.clear == 15 && info.counts.undecided == 0);
+  REFUSED(shaftcull_factor_matrix_describe(NULL, &info), "matrix is NULL");
+  REFUSED(shaftcull_factor_matrix_describe(matrix, NULL), "info is NULL");
+  shaftcull_factor_matrix_free(matrix);
+  shaftcull_factor_matrix_free(NULL);
+  REFUSED(shaftcull_view_factors(NULL, occluders, NULL, &matrix), "patches is NULL");
+  REFUSED(shaftcull_view_factors(walls, NULL, NULL, &matrix), "occluders is NULL");
+  REFUSED(shaftcull_view_factors(walls, occluders, NULL, NULL), "matrix is NULL");
+  REFUSED(shaftcull_view_factors(from_both, occluders, NULL, &matrix), "both sides");
+
+  OK(shaftcull_occluders_add_polygons(occluders, screen, 4, first_of_screen, 1, NULL));
+  shaftcull_view_factor_options options = shaftcull_default_view_factor_options();
+  CHECK(options.memory == UINT64_C(256) << 20 && options.seed == 1 && options.error == 2e-5 && options.least == 0);
+  CHECK(options.rays == 4096 && options.close_rows == 0 && options.tolerance == 0 && options.progress == NULL);
+  sights_told told = {0, 0, SHAFTCULL_SIGHT_CLEAR, 0};
+  options.progress = on_progress;
+  options.user = &told;
+  options.error = 0;
+  options.rays = 64;
+  options.least = 0.19;
+  OK(shaftcull_view_factors(walls, occluders, &options, &matrix));
+  OK(shaftcull_factor_matrix_describe(matrix, &info));
+  CHECK(info.counts.undecided != 0 && info.sum[0] > 0.4 && info.sum[0] < 0.8 && info.error[0] > 0);
+  CHECK(info.factors < 30 && info.left_out[0] > 0 && info.left_out[0] < info.sum[0]);
+  shaftcull_factor_matrix_free(matrix);
+  told.returns = 5;
+  FAILS(shaftcull_view_factors(walls, occluders, &options, &matrix), SHAFTCULL_STOPPED, "returned 5");
+  options.progress = NULL;
+  options.close_rows = 1;
+  REFUSED(shaftcull_view_factors(walls, occluders, &options, &matrix), "row");
+  options.close_rows = 2;
+  REFUSED(shaftcull_view_factors(walls, occluders, &options, &matrix), "options.close_rows = 2");
+  options = shaftcull_default_view_factor_options();
+  options.rays = 0;
+  REFUSED(shaftcull_view_factors(walls, occluders, &options, &matrix), "rays");
+  options = shaftcull_default_view_factor_options();
+  options.memory = 1000;
+  REFUSED(shaftcull_view_factors(walls, occluders, &options, &matrix), "1 MB");
+
+  static const shaftcull_index_pair floor_and_ceiling[1] = {{0, 1}};
+  static const uint64_t first_candidate[2] = {0, 1};
+  static const uint32_t candidates[2] = {0, 1};
+  shaftcull_undecided_pairs pairs = {floor_and_ceiling, 1, first_candidate, candidates};
+  float fraction = -1;
+  OK(shaftcull_visible_fractions(walls, NULL, occluders, &pairs, NULL, &fraction));
+  CHECK(fraction > 0.2F && fraction < 0.8F);
+  float same = -1;
+  OK(shaftcull_visible_fractions(walls, walls, occluders, &pairs, NULL, &same));
+  CHECK(same == fraction);
+  shaftcull_ray_options rays = shaftcull_default_ray_options();
+  CHECK(rays.seed == 1 && rays.error == 0 && rays.rays == 64 && rays.tolerance == 0);
+  rays.rays = 65537;
+  REFUSED(shaftcull_visible_fractions(walls, NULL, occluders, &pairs, &rays, &fraction), "rays");
+  REFUSED(shaftcull_visible_fractions(NULL, NULL, occluders, &pairs, NULL, &fraction), "a is NULL");
+  REFUSED(shaftcull_visible_fractions(walls, NULL, NULL, &pairs, NULL, &fraction), "occluders is NULL");
+  REFUSED(shaftcull_visible_fractions(walls, NULL, occluders, NULL, NULL, &fraction), "pairs is NULL");
+  REFUSED(shaftcull_visible_fractions(walls, NULL, occluders, &pairs, NULL, NULL), "fractions is NULL");
+  pairs.candidates = candidates + 1;
+  REFUSED(shaftcull_visible_fractions(walls, NULL, occluders, &pairs, NULL, &fraction), "candidate 1");
+  pairs.candidates = NULL;
+  REFUSED(shaftcull_visible_fractions(walls, NULL, occluders, &pairs, NULL, &fraction), "pairs.candidates is NULL");
+  pairs.first_candidate = NULL;
+  REFUSED(shaftcull_visible_fractions(walls, NULL, occluders, &pairs, NULL, &fraction), "first_candidate");
+  pairs.pairs = NULL;
+  REFUSED(shaftcull_visible_fractions(walls, NULL, occluders, &pairs, NULL, &fraction), "pairs.pairs is NULL");
+
+  shaftcull_occluders_free(occluders);
+  shaftcull_patches_free(walls);
+  shaftcull_patches_free(from_both);
+}
+
 static void instruction_sets(void) {
   const char* name = NULL;
   uint64_t count = 0;
@@ -1342,6 +1435,7 @@ int main(void) {
   queries();
   many_shafts();
   visibility();
+  rays_and_view_factors();
   instruction_sets();
   if (failures != 0) {
     fprintf(stderr, "%d checks failed\n", failures);

@@ -28,6 +28,7 @@ using HullHandle = std::unique_ptr<shaftcull_hull, FreeHandle<shaftcull_hull_fre
 using ListsHandle = std::unique_ptr<shaftcull_lists, FreeHandle<shaftcull_lists_free>>;
 using PatchesHandle = std::unique_ptr<shaftcull_patches, FreeHandle<shaftcull_patches_free>>;
 using OccludersHandle = std::unique_ptr<shaftcull_occluders, FreeHandle<shaftcull_occluders_free>>;
+using FactorMatrixHandle = std::unique_ptr<shaftcull_factor_matrix, FreeHandle<shaftcull_factor_matrix_free>>;
 using VisibilityHandle = std::unique_ptr<shaftcull_visibility_result, FreeHandle<shaftcull_visibility_result_free>>;
 
 /// The call must have succeeded.

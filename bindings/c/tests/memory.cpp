@@ -132,6 +132,16 @@ TEST(CMemory, ThatRunsOutIsAStatusAndChangesNothing) {
                                                     static_cast<const shaftcull_plane*>(nullptr), std::uint64_t{0});
   const OccludersHandle occluders = made<OccludersHandle>(shaftcull_occluders_create);
   ok(shaftcull_occluders_add_boxes(occluders.get(), &source, nullptr));
+  const float corners[] = {-1, 0, 0, -1, 1, 0, -1, 1, 1, -1, 0, 1, 9, 0, 0, 9, 0, 1, 9, 1, 1, 9, 1, 0};
+  const std::uint64_t first_corner[] = {0, 4, 8};
+  const PatchesHandle squares =
+      made<PatchesHandle>(shaftcull_patches_create_polygons, &corners[0], std::uint64_t{8}, &first_corner[0],
+                          std::uint64_t{2}, shaftcull_patch_sides{SHAFTCULL_PATCH_FRONT});
+  const shaftcull_index_pair pair{0, 1};
+  const std::uint64_t first_candidate[] = {0, 1};
+  const std::uint32_t candidate = 1;
+  const shaftcull_undecided_pairs undecided{&pair, 1, &first_candidate[0], &candidate};
+  float fraction = 0;
   std::vector<shaftcull_kept_counts> counts(300);
   shaftcull_sight_counts sights{};
   std::vector<std::uint64_t> bits(300 * shaftcull_bit_words(300));
@@ -162,6 +172,14 @@ TEST(CMemory, ThatRunsOutIsAStatusAndChangesNothing) {
               static_cast<const shaftcull_patches*>(patches.get()), static_cast<const shaftcull_patches*>(nullptr),
               static_cast<const shaftcull_occluders*>(occluders.get()),
               static_cast<const shaftcull_visibility_options*>(nullptr)),
+      creates(shaftcull_factor_matrix_free, shaftcull_view_factors,
+              static_cast<const shaftcull_patches*>(squares.get()),
+              static_cast<const shaftcull_occluders*>(occluders.get()),
+              static_cast<const shaftcull_view_factor_options*>(nullptr)),
+      {[&] {
+         return shaftcull_visible_fractions(squares.get(), nullptr, occluders.get(), &undecided, nullptr, &fraction);
+       },
+       nothing},
       {[&] {
          return shaftcull_visibility(patches.get(), nullptr, occluders.get(), nullptr, nullptr, nullptr, &sights);
        },

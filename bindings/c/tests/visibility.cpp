@@ -14,6 +14,7 @@
 #include "handles.hpp"
 #include "oracle/random.hpp"
 #include "shaftcull.h"
+#include "shaftcull/rays.hpp"
 #include "shaftcull/solids.hpp"
 #include "shaftcull/view_factors.hpp"
 
@@ -329,6 +330,120 @@ TEST(CVisibility, PolygonsAndATolerance) {
               SHAFTCULL_OK);
     EXPECT_EQ(counts.facing_away, tolerance == 0.125F ? 1U : 0U);
     EXPECT_EQ(counts.clear, tolerance == 0.125F ? 0U : 1U);
+  }
+}
+
+TEST(CVisibility, FractionsAndViewFactorsAreThoseOfCpp) {
+  Random random(1805);
+  std::vector<float> floats;
+  std::vector<Vec3> corners;
+  std::vector<std::size_t> first{0};
+  std::vector<std::uint64_t> c_first{0};
+  const auto add = [&](const Vec3& at, float size) {  // a square across the axis x
+    for (const Vec3& corner :
+         {at, {at[0], at[1] + size, at[2]}, {at[0], at[1] + size, at[2] + size}, {at[0], at[1], at[2] + size}}) {
+      corners.push_back(corner);
+      floats.insert(floats.end(), corner.begin(), corner.end());
+    }
+    first.push_back(corners.size());
+    c_first.push_back(corners.size());
+  };
+  for (int i = 0; i != 12; ++i) add({random.uniform(-9, -5), random.uniform(-4, 4), random.uniform(-4, 4)}, 1);
+  for (std::size_t i = 0; i != 12; ++i) {  // others that face these
+    add({random.uniform(5, 9), random.uniform(-4, 4), random.uniform(-4, 4)}, 1);
+    const std::size_t last = corners.size() - 1;
+    std::swap(corners[last], corners[last - 2]);
+    std::swap_ranges(floats.end() - 3, floats.end(), floats.end() - 9);
+  }
+  const PatchSet cpp(corners, first);
+  const auto c = made<PatchesHandle>(shaftcull_patches_create_polygons, floats.data(), std::uint64_t{corners.size()},
+                                     c_first.data(), std::uint64_t{24}, shaftcull_patch_sides{SHAFTCULL_PATCH_FRONT});
+  std::vector<Box> boxes;
+  for (int i = 0; i != 6; ++i) boxes.push_back(random.box(-4, 4, 0.5F, 2.0F));
+  const std::vector<shaftcull_box> c_boxes = as_c(boxes);
+  const shaftcull_source source = source_of(c_boxes);
+  Occluders occluders_cpp;
+  occluders_cpp.add_solids(std::span<const Box>(boxes));
+  const auto occluders = made<OccludersHandle>(shaftcull_occluders_create);
+  ok(shaftcull_occluders_add_solids(occluders.get(), &source, nullptr));
+
+  const Visibility seen = collect_visibility(cpp, occluders_cpp);
+  ASSERT_GT(seen.undecided.size(), 10U);
+  std::vector<float> wanted(seen.undecided.size());
+  visible_fractions(cpp, cpp, occluders_cpp, {seen.undecided, seen.first_candidate, seen.candidates}, wanted,
+                    {.rays = 32, .error = 0.01, .seed = 7, .tolerance = 0.01F});
+  const auto result = made<VisibilityHandle>(
+      shaftcull_collect_visibility, static_cast<const shaftcull_patches*>(c.get()),
+      static_cast<const shaftcull_patches*>(nullptr), static_cast<const shaftcull_occluders*>(occluders.get()),
+      static_cast<const shaftcull_visibility_options*>(nullptr));
+  shaftcull_sight_batch batch;
+  ok(shaftcull_visibility_result_describe(result.get(), &batch, nullptr));
+  ASSERT_EQ(batch.undecided.count, wanted.size());
+  std::vector<float> fractions(wanted.size());
+  shaftcull_ray_options rays = shaftcull_default_ray_options();
+  rays.rays = 32;
+  rays.error = 0.01;
+  rays.seed = 7;
+  rays.tolerance = 0.01F;
+  ok(shaftcull_visible_fractions(c.get(), nullptr, occluders.get(), &batch.undecided, &rays, fractions.data()));
+  EXPECT_EQ(fractions, wanted);
+
+  const ViewFactorOptions cpp_options{
+      .rays = 256, .error = 1e-4, .seed = 9, .least = 1e-4, .tolerance = 0.01F, .progress = {}};
+  shaftcull_view_factor_options options = shaftcull_default_view_factor_options();
+  options.rays = 256;
+  options.error = 1e-4;
+  options.seed = 9;
+  options.least = 1e-4;
+  options.tolerance = 0.01F;
+  const ViewFactors factors = view_factors(cpp, occluders_cpp, cpp_options);
+  const auto matrix = made<FactorMatrixHandle>(shaftcull_view_factors, static_cast<const shaftcull_patches*>(c.get()),
+                                               static_cast<const shaftcull_occluders*>(occluders.get()),
+                                               static_cast<const shaftcull_view_factor_options*>(&options));
+  const auto info =
+      described(shaftcull_factor_matrix_describe, static_cast<const shaftcull_factor_matrix*>(matrix.get()));
+  ASSERT_EQ(info.size, factors.size());
+  ASSERT_EQ(info.factors, factors.factor.size());
+  ASSERT_GT(info.factors, 50U);
+  const auto expect_same = [](const auto* of_c, const auto& of_cpp) {
+    EXPECT_TRUE(std::ranges::equal(std::span(of_c, of_cpp.size()), of_cpp));
+  };
+  expect_same(info.first, factors.first);
+  expect_same(info.column, factors.column);
+  expect_same(info.factor, factors.factor);
+  expect_same(info.area, factors.area);
+  expect_same(info.sum, factors.sum);
+  expect_same(info.error, factors.error);
+  expect_same(info.left_out, factors.left_out);
+  expect_equal(info.counts, factors.counts);
+  EXPECT_GT(*std::ranges::max_element(factors.left_out), 0);
+}
+
+TEST(CVisibility, DefaultOptionsAreThoseOfCpp) {
+  const shaftcull_visibility_options sight = shaftcull_default_visibility_options();
+  const VisibilityOptions of_sight;
+  EXPECT_EQ(sight.memory, of_sight.memory);
+  EXPECT_EQ(sight.contact, static_cast<shaftcull_contact>(of_sight.contact));
+  EXPECT_EQ(sight.solids_around_ends, std::uint32_t{of_sight.solids_around_ends});
+  EXPECT_EQ(sight.candidates, std::uint32_t{of_sight.candidates});
+  EXPECT_EQ(sight.tolerance, of_sight.tolerance);
+  const shaftcull_ray_options rays = shaftcull_default_ray_options();
+  const RayOptions of_rays;
+  EXPECT_EQ(rays.rays, of_rays.rays);
+  EXPECT_EQ(rays.error, of_rays.error);
+  EXPECT_EQ(rays.seed, of_rays.seed);
+  EXPECT_EQ(rays.tolerance, of_rays.tolerance);
+  const shaftcull_view_factor_options factors = shaftcull_default_view_factor_options();
+  const ViewFactorOptions of_factors;
+  EXPECT_EQ(factors.memory, of_factors.memory);
+  EXPECT_EQ(factors.seed, of_factors.seed);
+  EXPECT_EQ(factors.error, of_factors.error);
+  EXPECT_EQ(factors.least, of_factors.least);
+  EXPECT_EQ(factors.rays, of_factors.rays);
+  EXPECT_EQ(factors.close_rows, std::uint32_t{of_factors.close_rows});
+  EXPECT_EQ(factors.tolerance, of_factors.tolerance);
+  for (std::uint32_t sight_of_c = 0; sight_of_c != 4; ++sight_of_c) {
+    EXPECT_STREQ(shaftcull_sight_name(sight_of_c), name(static_cast<Sight>(sight_of_c)));
   }
 }
 

@@ -89,6 +89,12 @@ export function asPosition(value, end, name) {
   return value;
 }
 
+/** A number. */
+export function asNumber(value, name) {
+  if (typeof value !== 'number') throw new TypeError(`${name} = ${shown(value)} is no number`);
+  return value;
+}
+
 /** An integer from `least` to 2³² − 1. */
 export function asInteger(value, least, name) {
   if (!Number.isInteger(value) || value < least || value > 0xffff_ffff) {

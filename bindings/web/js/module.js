@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The instance of WebAssembly: its memory, and calls of the C interface.
-import {ShaftcullError} from './error.js';
+import {ShaftcullError, statusNames} from './error.js';
 import {structsOf} from './structs.js';
 import {wasi} from './wasi.js';
 
@@ -87,6 +87,10 @@ export class Module {
     return new Float32Array(this.view.buffer, pointer, count).slice();
   }
 
+  doubles(pointer, count) {
+    return new Float64Array(this.view.buffer, pointer, count).slice();
+  }
+
   /** 64-bit numbers below 2⁵³. */
   numbers(pointer, count) {
     const words = new Uint32Array(this.view.buffer, pointer, 2 * count);
@@ -133,8 +137,7 @@ export class Module {
   }
 
   #fail(status, message, position) {
-    const name = this.text(this.#exports.shaftcull_status_name(status));
-    throw new ShaftcullError(name, this.text(message), positionIn(position));
+    throw new ShaftcullError(statusNames[status], this.text(message), positionIn(position));
   }
 
   #trapped(error) {

@@ -154,7 +154,13 @@ export interface Shaftcull {
   /** Of all pairs of patches, which see each other. Takes what is undecided, and collects all answers. */
   visibility(scene: VisibilityScene): Visibility;
   /** How many pairs there are of each kind. Takes no memory per pair. */
-  countVisibility(scene: Omit<VisibilityScene, 'candidates'>): Record<Sight, number>;
+  countVisibility(scene: Omit<VisibilityScene, 'candidates' | keyof RayOptions>): Record<Sight, number>;
+  /**
+   * View factors of each two patches, which radiate from their front: a sparse matrix in rows. Patches are flat, by
+   * their `corners` or as flat boxes with planes. Pairs that are clear have `viewFactor()`, and undecided ones that times
+   * the visible part, by rays.
+   */
+  viewFactors(scene: ViewFactorScene): ViewFactors;
 
   /** The families of answers that have a hash on record: docs/hashes.md. */
   readonly hashFamilies: readonly HashFamily[];
@@ -450,7 +456,7 @@ export interface BoxTree extends BoxBounds, MovingTree {}
  * Patches, and what stands between them. Floats are as in streams; a plane is 4: the normal, where it faces, and
  * offset.
  */
-export interface VisibilityScene {
+export interface VisibilityScene extends RayOptions {
   /** Boxes around patches. */
   patches?: Floats;
   /** A plane for each of them: patches see what is outside of it, x nx + y ny + z nz > offset. */
@@ -490,6 +496,48 @@ export interface VisibilityScene {
   memory?: number;
 }
 
+/** Rays from points of one patch to points of another. */
+export interface RayOptions {
+  /** Most rays per undecided pair, 1 to 65536; a multiple of 16 is cast. */
+  rays?: number;
+  /** A pair gets fewer rays if the estimated standard error is at most this; 0: all rays. */
+  error?: number;
+  /** Where rays start and end depends on it and on the pair alone; 1 by default. */
+  seed?: number;
+}
+
+/** Patches that radiate, what stands between them, and options. */
+export interface ViewFactorScene extends RayOptions,
+    Pick<VisibilityScene, 'patches' | 'planes' | 'corners' | 'boxes' | 'solids' | 'hulls' | 'polygons' | 'triangles' |
+                          'findSolids' | 'tolerance' | 'memory'> {
+  /** Pairs both of whose factors are below this are left out of the matrix; 0 by default. */
+  least?: number;
+  /** Whether rows are made to sum to 1, as those of an enclosure do; false by default. */
+  closeRows?: boolean;
+}
+
+/**
+ * View factors in rows (CSR): the factors from patch i are factor[k] to patch column[k], for k from first[i] to before
+ * first[i + 1]. Columns ascend.
+ */
+export interface ViewFactors {
+  readonly first: Float64Array;
+  readonly column: Uint32Array;
+  readonly factor: Float64Array;
+  /** The area of each patch. */
+  readonly area: Float64Array;
+  /** The sum of each row, with what is left out; the rest to 1 meets no patch: the sky. */
+  readonly sum: Float64Array;
+  /** The estimated standard error of each sum. */
+  readonly error: Float64Array;
+  /** What of each sum is below `least`. */
+  readonly leftOut: Float64Array;
+  /** How many pairs there are of each kind. */
+  readonly counts: Readonly<Record<Sight, number>>;
+  /** The factor from patch i to patch j; 0 if there is none. */
+  at(i: number, j: number): number;
+}
+
 /** What sees what. */
 export interface Visibility {
   /** How many pairs there are of each kind. */
@@ -511,6 +559,11 @@ export interface Visibility {
    */
   readonly offsets: Float64Array;
   readonly candidates: Uint32Array;
+  /**
+   * The visible fraction of each undecided pair, from 0 to 1, if the scene asks for `rays`: of the segments that leave
+   * and arrive in front, the share that no candidate blocks.
+   */
+  readonly fractions?: Float32Array;
   /** The triangles of each occluder, by their positions in the scene's; none of other occluders than triangles. */
   readonly triangles: readonly Uint32Array[];
   /** All pairs of one kind, two patches each; of one set with itself each pair once. */

@@ -5,7 +5,7 @@ import * as boxes from './boxes.js';
 import * as hashes from './hashes.js';
 import {Module} from './module.js';
 import * as shafts from './shafts.js';
-import {viewFactor} from './view_factors.js';
+import {viewFactor, viewFactors} from './view_factors.js';
 import {countVisibility, visibility} from './visibility.js';
 
 export {roundOutwards} from './arguments.js';
@@ -150,6 +150,10 @@ class Shaftcull {
 
   visibility(scene) {
     return visibility(this.#module, scene);
+  }
+
+  viewFactors(scene) {
+    return viewFactors(this.#module, scene);
   }
 
   countVisibility(scene) {

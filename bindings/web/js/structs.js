@@ -10,6 +10,7 @@ const types = [
     write: (view, at, value) => view.setBigUint64(at, BigInt(value), true),
   },
   {read: (view, at) => view.getFloat32(at, true), write: (view, at, value) => view.setFloat32(at, value, true)},
+  {read: (view, at) => view.getFloat64(at, true), write: (view, at, value) => view.setFloat64(at, value, true)},
 ];
 
 /** The bytes of each struct, and for each of its fields the place, and how it is read and written. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Visibility: which pairs of patches see each other.
-import {asEnumerator, asFloats, asInteger, checkOptions} from './arguments.js';
+import {asEnumerator, asFloats, asInteger, asNumber, checkOptions} from './arguments.js';
 import {withHandles} from './held.js';
 import {contacts} from './shafts.js';
 import {sourceOf} from './sources.js';
@@ -11,6 +11,8 @@ const parts = [
   'sides',
 ];
 const countOptions = ['contact', 'tolerance', 'solidsAroundEnds', 'findSolids', 'memory'];
+const rayOptions = ['rays', 'error', 'seed'];
+export const defaultMemory = 2 ** 28;
 const patchSides = ['front', 'both'];
 const blockWords = 5;  // of shaftcull_pair_block
 
@@ -77,49 +79,78 @@ function orderOf(module, scratch, patches) {
   return module.words(order, count);
 }
 
-/** The result of use(a, b, occluders, options, make, scratch): handles, and the options in memory; b may be 0. */
-function prepared(module, scene, names, use) {
+/** The result of use(scene, make, scratch), which has the handles a, b (0 if there is none), occluders and firstGroup. */
+export function withScene(module, scene, names, use) {
   checkOptions(scene, [...parts, ...names]);
   if (scene.sides && !scene.corners && !scene.cornersB) throw new TypeError('there are sides, but no corners');
   if (scene.planesB && !scene.patchesB && !scene.cornersB) throw new TypeError('there are planesB, but no patchesB');
-  const given = {
-    contact: asEnumerator(scene.contact ?? 'open', contacts, 'contact'),
-    solids_around_ends: scene.solidsAroundEnds === false ? 0 : 1,
-    candidates: scene.candidates === false ? 0 : 1,
-  };
-  if (scene.tolerance !== undefined) [given.tolerance] = asFloats([scene.tolerance], 1, 'tolerance');
-  if (scene.memory !== undefined) given.memory = asInteger(scene.memory, 0, 'memory');
   return withHandles(module, (make) => module.scratch((scratch) => {
     const a = patchesOf(scratch, make, scene.patches, scene.planes, scene.corners, scene.sides, 'patches', 'corners');
     const b = scene.patchesB || scene.cornersB ?
         patchesOf(scratch, make, scene.patchesB, scene.planesB, scene.cornersB, scene.sides, 'patchesB', 'cornersB') : 0;
-    const occluders = occludersOf(module, scratch, make, scene);
-    const defaults = scratch.described('visibility_options', 'shaftcull_default_visibility_options');
-    return use(a, b, occluders, scratch.struct('visibility_options', {...defaults, ...given}), make, scratch);
+    return use({a, b, ...occludersOf(module, scratch, make, scene)}, make, scratch);
   }));
 }
 
-export function visibility(module, scene) {
-  return prepared(module, scene, [...countOptions, 'candidates'], (a, b, occluders, options, make, scratch) => {
-    const answers = [a, b, occluders.occluders, options];
-    const result = make('shaftcull_visibility_result_free', 'shaftcull_collect_visibility', ...answers);
-    const orderA = orderOf(module, scratch, a);
-    const orderB = b === 0 ? orderA : orderOf(module, scratch, b);
-    return new Visibility(module, scratch, result, orderA, orderB, trianglesOf(module, scratch, occluders));
+/** The options that visibility, rays and view factors have in common, as far as they are given. */
+export function asOptions(scene) {
+  const given = {};
+  if (scene.tolerance !== undefined) [given.tolerance] = asFloats([scene.tolerance], 1, 'tolerance');
+  if (scene.memory !== undefined) given.memory = asInteger(scene.memory, 0, 'memory');
+  if (scene.rays !== undefined) given.rays = asInteger(scene.rays, 0, 'rays');
+  if (scene.error !== undefined) given.error = asNumber(scene.error, 'error');
+  if (scene.seed !== undefined) given.seed = asInteger(scene.seed, 0, 'seed');
+  return given;
+}
+
+function sightOptions(scratch, scene) {
+  const {memory = defaultMemory, tolerance = 0} = asOptions(scene);
+  return scratch.struct('visibility_options', {
+    memory, tolerance,
+    contact: asEnumerator(scene.contact ?? 'open', contacts, 'contact'),
+    solids_around_ends: scene.solidsAroundEnds === false ? 0 : 1,
+    candidates: scene.candidates === false ? 0 : 1,
   });
 }
 
-export function countVisibility(module, scene) {
-  return prepared(module, scene, countOptions, (a, b, {occluders}, options, make, scratch) =>
-    scratch.described('sight_counts', 'shaftcull_visibility', a, b, occluders, options, 0, 0));
-}
-
-class Visibility {
-  constructor(module, scratch, result, orderA, orderB, triangles) {
+export function visibility(module, scene) {
+  return withScene(module, scene, [...countOptions, 'candidates', ...rayOptions], (sets, make, scratch) => {
+    const {a, b, occluders} = sets;
+    const misplaced = rayOptions.find((name) => scene[name] !== undefined);
+    if (misplaced && scene.rays === undefined) throw new TypeError(`${misplaced} is of rays, and there are none`);
+    if (scene.rays !== undefined && scene.candidates === false) throw new TypeError('rays need candidates');
+    const answers = [a, b, occluders, sightOptions(scratch, scene)];
+    const result = make('shaftcull_visibility_result_free', 'shaftcull_collect_visibility', ...answers);
     const [into, counts] = [scratch.struct('sight_batch'), scratch.struct('sight_counts')];
     module.call('shaftcull_visibility_result_describe', result, into, counts);
     const batch = module.read('sight_batch', into);
-    this.counts = module.read('sight_counts', counts);
+    const orderA = orderOf(module, scratch, a);
+    const orderB = b === 0 ? orderA : orderOf(module, scratch, b);
+    const triangles = trianglesOf(module, scratch, sets);
+    const seen = new Visibility(module, batch, module.read('sight_counts', counts), orderA, orderB, triangles);
+    if (scene.rays !== undefined) seen.fractions = fractionsOf(module, scratch, sets, batch.undecided, scene);
+    return seen;
+  });
+}
+
+/** The visible fraction of each undecided pair, by rays. */
+function fractionsOf(module, scratch, {a, b, occluders}, undecided, scene) {
+  const {rays, error = 0, seed = 1, tolerance = 0} = asOptions(scene);
+  const {count} = module.read('undecided_pairs', undecided);
+  const fractions = scratch.zeros(4 * count);
+  const options = scratch.struct('ray_options', {rays, error, seed, tolerance});
+  module.call('shaftcull_visible_fractions', a, b, occluders, undecided, options, fractions);
+  return module.floats(fractions, count);
+}
+
+export function countVisibility(module, scene) {
+  return withScene(module, scene, countOptions, ({a, b, occluders}, make, scratch) =>
+    scratch.described('sight_counts', 'shaftcull_visibility', a, b, occluders, sightOptions(scratch, scene), 0, 0));
+}
+
+class Visibility {
+  constructor(module, batch, counts, orderA, orderB, triangles) {
+    this.counts = counts;
     this.orderA = orderA;
     this.orderB = orderB;
     this.triangles = triangles;

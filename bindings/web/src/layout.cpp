@@ -22,7 +22,8 @@ template <class T>
 constexpr std::uint32_t type_of() {
   if (std::is_pointer_v<T> || std::is_same_v<T, std::uint32_t>) return 1;
   if (std::is_same_v<T, std::uint64_t>) return 2;
-  return std::is_same_v<T, float> ? 3 : 0;
+  if (std::is_same_v<T, float>) return 3;
+  return std::is_same_v<T, double> ? 4 : 0;
 }
 
 #define FIELD(structure, field)                                                                                   \
@@ -45,6 +46,7 @@ static_assert(SHAFTCULL_OUTSIDE == 0 && SHAFTCULL_OVERLAP == 1 && SHAFTCULL_INSI
 static_assert(SHAFTCULL_CONTACT_CLOSED == 0 && SHAFTCULL_CONTACT_OPEN == 1);
 static_assert(SHAFTCULL_FORM_SLAB == 0 && SHAFTCULL_FORM_PLANES == 1);
 static_assert(SHAFTCULL_TRIANGLES_EXACT == 0 && SHAFTCULL_TRIANGLES_BY_VERTICES == 1);
+static_assert(SHAFTCULL_OK == 0 && SHAFTCULL_INTERNAL_ERROR == 6);
 static_assert(SHAFTCULL_DEPTH_ZERO_TO_ONE == 0 && SHAFTCULL_DEPTH_MINUS_ONE_TO_ONE == 1);
 static_assert(SHAFTCULL_SIGHT_UNDECIDED == 0 && SHAFTCULL_SIGHT_CLEAR == 1 && SHAFTCULL_SIGHT_OCCLUDED == 2 &&
               SHAFTCULL_SIGHT_FACING_AWAY == 3);

@@ -128,8 +128,7 @@ describe('loading', () => {
     const names = WebAssembly.Module.exports(module).map(({name}) => name).filter((name) => /^shaftcull_/.test(name));
     assert.deepEqual(names.filter((name) => !new RegExp(`\\b${name}\\b`).test(text)).sort(), [
       'shaftcull_error_message', 'shaftcull_error_position', 'shaftcull_isa_asked',
-      'shaftcull_set_error_handler', 'shaftcull_shafts_count', 'shaftcull_sight_name', 'shaftcull_view_create',
-      'shaftcull_view_set', 'shaftcull_visibility_bits',
+      'shaftcull_set_error_handler', 'shaftcull_view_create', 'shaftcull_view_set', 'shaftcull_visibility_bits',
     ]);
   });
 });
@@ -932,6 +931,27 @@ describe('visibility', () => {
     assert.equal(facing.counts.facing_away, 64);
   });
 
+  test('of undecided pairs is measured by rays', () => {
+    const facing = (x, reversed) => {
+      const square = [[x, 0, 0], [x, 1, 0], [x, 1, 1], [x, 0, 1]];
+      return (reversed ? square.reverse() : square).flat();
+    };
+    const scene = {corners: [facing(0, false)], cornersB: [facing(4, true)], solids: [1.5, -1, -1, 2.5, 0.5, 2]};
+    const seen = shaftcull.visibility({...scene, rays: 256});
+    assert.equal(seen.counts.undecided, 1);
+    assert(Math.abs(seen.fractions[0] - 0.4) < 0.05, 'both planes of the box are to be passed on one side');
+    assert.equal(seen.fractions.length, 1);
+    const again = shaftcull.visibility({...scene, rays: 256, seed: 1, error: 0});
+    assert.deepEqual(again.fractions, seen.fractions);
+    assert.notDeepEqual(shaftcull.visibility({...scene, rays: 256, seed: 2}).fractions, seen.fractions);
+    assert.equal(shaftcull.visibility(scene).fractions, undefined);
+    assert.throws(() => shaftcull.visibility({...scene, rays: 0}), ShaftcullError);
+    assert.throws(() => shaftcull.visibility({...scene, rays: 16, candidates: false}), /rays need candidates/);
+    assert.throws(() => shaftcull.visibility({...scene, seed: 2}), /seed is of rays/);
+    assert.throws(() => shaftcull.visibility({...scene, rays: 16, error: '0'}), /error = "0" is no number/);
+    assert.throws(() => shaftcull.countVisibility({...scene, rays: 16}), /no option 'rays'/);
+  });
+
   test('of one set with itself has each pair once', () => {
     const seen = shaftcull.visibility({patches: row(0, 20)});
     assert.equal(seen.counts.clear, 190);
@@ -1197,4 +1217,45 @@ test('all hashes are those on record, on both instruction sets', () => {
       }
     }
   }
+});
+
+describe('view factors', () => {
+  // A room of six unit squares that face inwards.
+  const room = [
+    [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0], [0, 0, 1, 0, 1, 1, 1, 1, 1, 1, 0, 1], [0, 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1],
+    [1, 0, 0, 1, 0, 1, 1, 1, 1, 1, 1, 0], [0, 0, 0, 0, 0, 1, 1, 0, 1, 1, 0, 0], [0, 1, 0, 1, 1, 0, 1, 1, 1, 0, 1, 1],
+  ];
+  const screen = {polygons: [[0, 0, 0.5, 0.5, 0, 0.5, 0.5, 1, 0.5, 0, 1, 0.5]]};
+
+  test('of a closed room sum to 1', () => {
+    const factors = shaftcull.viewFactors({corners: room});
+    assert.deepEqual([...factors.first], [0, 5, 10, 15, 20, 25, 30]);
+    assert.equal(factors.counts.clear, 15);
+    for (let i = 0; i !== 6; ++i) {
+      assert(Math.abs(factors.sum[i] - 1) < 1e-7 && factors.area[i] === 1);
+      assert.equal(factors.error[i], 0);
+      for (let j = 0; j !== 6; ++j) assert.equal(factors.at(i, j), i === j ? 0 : shaftcull.viewFactor(room[i], room[j]));
+    }
+  });
+
+  test('of what is hidden in part are smaller, and rows that are nearly whole can be closed', () => {
+    const open = shaftcull.viewFactors({corners: room});
+    const hidden = shaftcull.viewFactors({corners: room, ...screen});
+    assert(hidden.at(0, 1) < 0.8 * open.at(0, 1) && hidden.at(0, 1) > 0.2 * open.at(0, 1));
+    assert(hidden.error[0] > 0 && hidden.sum[0] < 0.9);
+    const fewer = shaftcull.viewFactors({corners: room, ...screen, least: 0.15, rays: 64, error: 0, seed: 5});
+    assert(fewer.leftOut[0] > 0 && fewer.factor.length < 30);
+    const closed = shaftcull.viewFactors({corners: room.slice(0, 6), closeRows: true});
+    assert(closed.sum.every((sum) => Math.abs(sum - 1) < 1e-12));
+  });
+
+  test('of what cannot be are refused', () => {
+    assert.throws(() => shaftcull.viewFactors({corners: room, ...screen, closeRows: true}), ShaftcullError);
+    assert.throws(() => shaftcull.viewFactors({corners: room, cornersB: room}), /no second one/);
+    assert.throws(() => shaftcull.viewFactors({corners: room, sides: 'both'}), /both sides/);
+    assert.throws(() => shaftcull.viewFactors({corners: room, rays: 65537}), /rays/);
+    assert.throws(() => shaftcull.viewFactors({corners: room, least: 'none'}), /least = "none" is no number/);
+    assert.throws(() => shaftcull.viewFactors({corners: room, contact: 'open'}), /no option 'contact'/);
+    assert.throws(() => shaftcull.viewFactors({patches: [0, 0, 0, 1, 1, 1]}), ShaftcullError);
+  });
 });

@@ -3,7 +3,7 @@
 import {load, roundOutwards, ShaftcullError} from 'shaftcull';
 import type {
   Answer, AskManyOptions, AskOptions, BoxTree, Bounds, FirstContact, Floats, Hull, Lists, ShaftInfo, Shafts, Shaftcull,
-  Sight, Visibility, Volume,
+  Sight, ViewFactors, Visibility, Volume,
 } from 'shaftcull';
 
 const shaftcull: Shaftcull = await load(new Uint8Array());
@@ -54,6 +54,11 @@ export const right: boolean = shaftcull.hashFamilies.every(({name, ways}) => {
   return hash === record;
 });
 
+const factors: ViewFactors = shaftcull.viewFactors({corners: [boxes], solids: boxes, least: 0.1, closeRows: false, rays: 64});
+export const factor: number = factors.at(0, 0) + factors.factor.length + factors.counts.clear;
+export const fractions: Float32Array | undefined = shaftcull.visibility({corners: [boxes], rays: 16, seed: 2}).fractions;
+// @ts-expect-error: view factors are those of one set
+shaftcull.viewFactors({corners: [boxes], cornersB: [boxes]});
 // @ts-expect-error: there is no such contact
 shaftcull.between(boxes, boxes, {contact: 'ajar'});
 // @ts-expect-error: spheres block nothing
