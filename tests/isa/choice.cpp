@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -58,17 +59,14 @@ TEST(IsaChoice, TheBestOneIsPickedIfNothingIsSaid) {
 }
 
 bool is_built(Isa isa) {
-  switch (isa) {
-#define SHAFTCULL_BUILT(set, features) \
-  case Isa::set:                       \
-    return true;
+  constexpr Isa built[] = {
+#define SHAFTCULL_BUILT(set, features) Isa::set,
 #define SHAFTCULL_NOT_BUILT(set)
 #include "dispatch/instruction_sets.inc"
 #undef SHAFTCULL_BUILT
 #undef SHAFTCULL_NOT_BUILT
-    default:
-      return false;
-  }
+  };
+  return std::find(std::begin(built), std::end(built), isa) != std::end(built);
 }
 
 TEST(IsaChoice, NothingBeyondTheBestOneIsAvailableAndAllBelowThatAreBuiltAre) {
