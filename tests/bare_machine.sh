@@ -11,7 +11,7 @@ set -euo pipefail
 
 # Behind each command of the compiler, as CMake calls it.
 unoptimised="printf '#!/bin/sh\nexec \"\$@\" -O0\n' >/tmp/unoptimised && chmod 755 /tmp/unoptimised"
-command=${1:-$unoptimised && CMAKE_CXX_COMPILER_LAUNCHER=/tmp/unoptimised ./cmake/run demo --bounds 10000 --seconds 1}
+command=${1:-$unoptimised && CMAKE_CXX_COMPILER_LAUNCHER=/tmp/unoptimised ./cmake/run demo --bounds 1000 --seconds 1}
 project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 skip() {
   echo "Skipped: a bare Debian 12 is made by $1."

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// sees/SCENE/PAIRS/S: shares of clear rays by visibility() and Embree, against Embree alone.
+/// sees/SCENE/PAIRS/S: shares of clear rays by visibility() and visible_fractions(), against Embree.
 #ifdef SHAFTCULL_BENCH_WITH_EMBREE
 
 #include <algorithm>
@@ -16,6 +16,7 @@
 
 #include "families/sees_scene.hpp"
 #include "scenes/shadow_rays.hpp"
+#include "shaftcull/rays.hpp"
 
 namespace shaftcull::bench {
 namespace {
@@ -37,8 +38,37 @@ PatchSet set_of(const PatchScene& scene, std::span<const std::uint32_t> patches)
   return PatchSet(boxes, planes);
 }
 
-/// Asks for all pairs of a product, and calls decided(i, j, sight) or undecided(i, j, candidates) for each, by
-/// positions in the product's lists.
+/// The same patches by their corners, counterclockwise as seen from the front: where rays begin and end.
+PatchSet polygons_of(const PatchScene& scene, std::span<const std::uint32_t> patches) {
+  std::vector<Vec3> corners;
+  std::vector<std::size_t> first_corner{0};
+  for (const std::uint32_t number : patches) {
+    const Patch& patch = scene.patches[number];
+    const auto at = [&patch](float u, float v) {
+      Vec3 point;
+      for (std::size_t k = 0; k != 3; ++k) point[k] = patch.corner[k] + u * patch.across[k] + v * patch.up[k];
+      return point;
+    };
+    float height = 0;  // of across × up above the plane
+    for (std::size_t k = 0; k != 3; ++k) {
+      const std::size_t l = (k + 1) % 3;
+      const std::size_t m = (k + 2) % 3;
+      const float cross = patch.across[l] * patch.up[m] - patch.across[m] * patch.up[l];
+      height += cross * scene.patch_planes[number].normal[k];
+    }
+    const auto first = static_cast<std::ptrdiff_t>(corners.size());
+    corners.push_back(at(0, 0));
+    corners.push_back(at(1, 0));
+    if (!patch.triangle) corners.push_back(at(1, 1));
+    corners.push_back(at(0, 1));
+    if (height < 0) std::reverse(corners.begin() + first, corners.end());
+    first_corner.push_back(corners.size());
+  }
+  return PatchSet(corners, first_corner);
+}
+
+/// Asks for all pairs of a product, and calls decided(of_a, of_b, sight) for runs of them, by positions in the
+/// product's lists, and undecided(pairs) for the others.
 template <class Decided, class Undecided>
 void ask(const PatchScene& scene, const Occluders& occluders, const PatchProduct& product, const Decided& decided,
          const Undecided& undecided) {
@@ -50,34 +80,16 @@ void ask(const PatchScene& scene, const Occluders& occluders, const PatchProduct
     for (const PairBlock& part : batch.blocks) {
       decided(order_a.subspan(part.a.first, part.a.count), order_b.subspan(part.b.first, part.b.count), part.sight);
     }
-    const UndecidedPairs& open = batch.undecided;
-    for (std::size_t i = 0; i != open.pairs.size(); ++i) {
-      undecided(
-          open.pairs[i].a, open.pairs[i].b,
-          open.candidates.subspan(open.first_candidate[i], open.first_candidate[i + 1] - open.first_candidate[i]));
-    }
+    undecided(batch.undecided);
   });
 }
 
-/// The part of its rays that is clear, of a pair of which these are all the occluders that they may meet. Solids are
-/// boxes to be tested with: Embree traces those rays only that meet none of them but the box around a mesh.
-float share_past(SeesScene& sees, const FacingPair& pair, const ShadowRays& rays,
-                 std::span<const std::uint32_t> candidates) {
-  const PatchScene& scene = sees.scene();
-  static TraceCandidates* const trace = trace_candidates(measured_isa());
-  if (trace == nullptr || candidates.size() > most_candidates) return share_of(sees.embree().trace(pair, rays));
-  std::array<std::uint64_t, most_rays / 64> maybe;
-  const RayEnds ends{scene.patches[pair.a], scene.patches[pair.b], scene.patch_planes[pair.a],
-                     scene.patch_planes[pair.b]};
-  const CandidateCounts counts = trace(ends, rays, sees.ray_boxes(), candidates, maybe.data());
-  unsigned clear = counts.clear;
-  if (counts.maybe != 0) clear += sees.embree().count_clear(pair, rays, maybe);
-  return counts.traced == 0 ? 0.0F : static_cast<float>(clear) / static_cast<float>(counts.traced);
-}
-
 /// The share of clear rays of each pair of a product, row by row.
-void answer(SeesScene& sees, const ShadowRays& rays, const PatchProduct& product, std::vector<float>& shares) {
+void answer(SeesScene& sees, unsigned rays, const PatchProduct& product, std::vector<float>& shares) {
   const std::size_t columns = product.b.size();
+  const PatchSet a = polygons_of(sees.scene(), product.a);
+  const PatchSet b = polygons_of(sees.scene(), product.b);
+  std::vector<float> fractions;
   shares.assign(product.a.size() * columns, 0.0F);
   ask(
       sees.scene(), sees.occluders(), product,
@@ -87,8 +99,12 @@ void answer(SeesScene& sees, const ShadowRays& rays, const PatchProduct& product
           for (const std::uint32_t j : of_b) shares[i * columns + j] = 1;
         }
       },
-      [&](std::uint32_t i, std::uint32_t j, std::span<const std::uint32_t> candidates) {
-        shares[i * columns + j] = share_past(sees, {product.a[i], product.b[j]}, rays, candidates);
+      [&](const UndecidedPairs& open) {
+        fractions.resize(open.pairs.size());
+        visible_fractions(a, b, sees.occluders(), open, fractions, {.rays = rays});
+        for (std::size_t i = 0; i != fractions.size(); ++i) {
+          shares[open.pairs[i].a * columns + open.pairs[i].b] = fractions[i];
+        }
       });
 }
 
@@ -97,8 +113,9 @@ struct Check {
   SightCounts counts;            ///< of pairs that face each other
   std::uint64_t candidates = 0;  ///< of those that are undecided
   std::uint64_t grazed = 0;      ///< clear pairs of which rays meet nothing but, by rounding, the surface they graze
-  std::uint64_t rays = 0;        ///< of undecided pairs
-  std::uint64_t differ = 0;      ///< of these, which meet a box but not its triangles, or the other way
+  double ours = 0;               ///< sum of the shares of undecided pairs
+  double embree = 0;             ///< the same by its rays, which are others
+  std::uint64_t far_off = 0;     ///< undecided pairs whose shares differ by more than chance has it
   std::uint64_t wrong = 0;
   std::string first_wrong;
 };
@@ -119,13 +136,12 @@ Check check(SeesScene& sees, std::span<const Product> products, const ShadowRays
         for (const std::uint32_t j_of_b : of_b) note(i_of_a, j_of_b, sight);
       }
     };
-    ask(sees.scene(), sees.occluders(), product.patches, note_all,
-        [&](std::uint32_t i, std::uint32_t j, std::span<const std::uint32_t> candidates) {
-          note(i, j, Sight::undecided);
-          result.candidates += candidates.size();
-        });
+    ask(sees.scene(), sees.occluders(), product.patches, note_all, [&](const UndecidedPairs& open) {
+      for (const PatchPair& pair : open.pairs) note(pair.a, pair.b, Sight::undecided);
+      result.candidates += open.candidates.size();
+    });
     std::vector<float> shares;
-    answer(sees, rays, product.patches, shares);
+    answer(sees, rays.count, product.patches, shares);
     std::size_t next = 0;
     for (std::size_t i = 0; i != product.patches.a.size(); ++i) {
       for (std::size_t j = 0; j != columns; ++j) {
@@ -147,10 +163,12 @@ Check check(SeesScene& sees, std::span<const Product> products, const ShadowRays
             if (agrees) ++result.grazed;
           }
           if (sight == Sight::undecided) {
-            const float clear = share * static_cast<float>(traced.traced);
-            result.rays += traced.traced;
-            result.differ +=
-                static_cast<std::uint64_t>(std::lround(std::abs(clear - static_cast<float>(traced.clear))));
+            const float theirs = share_of(traced);
+            result.ours += double{share};
+            result.embree += double{theirs};
+            // Four standard errors of the difference between two samples of as many independent rays; none if there are
+            // none.
+            if (std::abs(share - theirs) > 4 * std::sqrt(0.5F / static_cast<float>(traced.traced))) ++result.far_off;
             agrees = true;
           }
           right = right && agrees;
@@ -163,10 +181,14 @@ Check check(SeesScene& sees, std::span<const Product> products, const ShadowRays
       }
     }
   }
-  // Edges are grazed by one ray in ten thousand.
-  if (1000 * result.differ > result.rays && result.wrong++ == 0) {
-    result.first_wrong = fmt::format("{} of {} rays of undecided pairs are clear past boxes or past triangles alone",
-                                     result.differ, result.rays);
+  const double undecided = static_cast<double>(result.counts.undecided);
+  if (100 * std::abs(result.ours - result.embree) > undecided ||
+      1000 * static_cast<double>(result.far_off) > undecided) {
+    if (result.wrong++ == 0) {
+      result.first_wrong =
+          fmt::format("{} of {} undecided pairs are far from what Embree says, and in all {:.1f}, not {:.1f}",
+                      result.far_off, result.counts.undecided, result.ours, result.embree);
+    }
   }
   return result;
 }
@@ -188,27 +210,26 @@ void declare_rays(Suite& suite, const std::shared_ptr<SeesScene>& sees, bool nea
       row, "",
       [=, &suite, checked = std::make_shared<bool>(false)](benchmark::State& state) {
         select_isa(measured_isa());
-        const ShadowRays shadow_rays(rays);
         if (!*checked) {
-          const Check checked_pairs = check(*sees, products_of(), shadow_rays);
+          const Check checked_pairs = check(*sees, products_of(), ShadowRays(rays));
           if (checked_pairs.wrong != 0) {
             state.SkipWithError(
                 fmt::format("{} answers are wrong; {}", checked_pairs.wrong, checked_pairs.first_wrong).c_str());
             return;
           }
-          suite.note(
-              fmt::format("{}: {} of {} pairs that face each other; {:.1f} candidates an undecided pair; {} of "
-                          "{} rays differ; of {} clear pairs rays graze the surface",
-                          row, shares_text(checked_pairs.counts), checked_pairs.counts.total(),
-                          static_cast<double>(checked_pairs.candidates) /
-                              static_cast<double>(std::max<std::uint64_t>(checked_pairs.counts.undecided, 1)),
-                          checked_pairs.differ, checked_pairs.rays, checked_pairs.grazed));
+          const auto undecided = static_cast<double>(std::max<std::uint64_t>(checked_pairs.counts.undecided, 1));
+          suite.note(fmt::format(
+              "{}: {} of {} pairs that face each other; {:.1f} candidates an undecided pair, of which "
+              "{:.2f} % is visible, by Embree {:.2f} %; of {} clear pairs rays graze the surface",
+              row, shares_text(checked_pairs.counts), checked_pairs.counts.total(),
+              static_cast<double>(checked_pairs.candidates) / undecided, 100 * checked_pairs.ours / undecided,
+              100 * checked_pairs.embree / undecided, checked_pairs.grazed));
           *checked = true;
         }
         std::vector<float> shares;
         for (auto _ : state) {
           for (const Product& product : products_of()) {
-            answer(*sees, shadow_rays, product.patches, shares);
+            answer(*sees, rays, product.patches, shares);
             benchmark::DoNotOptimize(shares.data());
           }
         }

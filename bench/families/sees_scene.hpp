@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "families/candidate_rays.hpp"
 #include "harness/suite.hpp"
 #include "scenes/patch_pairs.hpp"
 #include "scenes/tree_scene.hpp"
@@ -36,10 +35,8 @@ std::string shares_text(const SightCounts& counts);
 
 #ifdef SHAFTCULL_BENCH_WITH_EMBREE
 
-inline constexpr std::size_t partners = 32;         // clusters that a cluster is asked about
-inline constexpr std::size_t most_candidates = 32;  // of a pair whose rays are tested with them one by one
-inline constexpr unsigned most_rays = 256;          // a pair
-inline constexpr float near_in_city = 60;           // metres
+inline constexpr std::size_t partners = 32;  // clusters that a cluster is asked about
+inline constexpr float near_in_city = 60;    // metres
 
 /// Products for so many rays a pair, so that all take about as long.
 constexpr std::size_t products_for(unsigned rays, bool quick) {
@@ -73,9 +70,6 @@ class SeesScene {
     return occluders_without_hulls_.get([&] { return occluders_of(scene(), TurnedSolids::boxes_inside); });
   }
 #ifdef SHAFTCULL_BENCH_WITH_EMBREE
-  const std::vector<RayBox>& ray_boxes() {
-    return ray_boxes_.get([&] { return ray_boxes_of(scene()); });
-  }
   const EmbreeScene& embree() {
     if (!embree_) embree_ = std::make_unique<EmbreeScene>(scene());
     return *embree_;
@@ -107,7 +101,6 @@ class SeesScene {
   Lazy<Occluders> occluders_;
   Lazy<Occluders> occluders_without_hulls_;
 #ifdef SHAFTCULL_BENCH_WITH_EMBREE
-  Lazy<std::vector<RayBox>> ray_boxes_;
   std::unique_ptr<EmbreeScene> embree_;
   Lazy<std::vector<Product>> near_;
   Lazy<std::vector<Product>> anywhere_;

@@ -53,7 +53,7 @@ void place(const Patch& patch, std::size_t axis, const float* u, const float* v,
 
 template <unsigned width>
 RayCounts trace_pair(RTCScene embree, const PatchScene& scene, const FacingPair& pair, const ShadowRays& rays,
-                     float least_height, const std::uint64_t* wanted) {
+                     float least_height) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
@@ -62,7 +62,7 @@ RayCounts trace_pair(RTCScene embree, const PatchScene& scene, const FacingPair&
   const Patch& b = scene.patches[pair.b];
   const ShadowRays::Points& of_a = a.triangle ? rays.on_triangle[0] : rays.on_rectangle[0];
   const ShadowRays::Points& of_b = b.triangle ? rays.on_triangle[1] : rays.on_rectangle[1];
-  const bool all = wanted == nullptr && least_height <= 0 && wholly_facing(scene, pair);
+  const bool all = least_height <= 0 && wholly_facing(scene, pair);
   const Plane& plane_a = scene.patch_planes[pair.a];
   const Plane& plane_b = scene.patch_planes[pair.b];
   RayCounts counts{0, 0};
@@ -70,8 +70,6 @@ RayCounts trace_pair(RTCScene embree, const PatchScene& scene, const FacingPair&
   alignas(64) float end[3][width];
   alignas(64) int valid[width];
   for (unsigned first = 0; first < rays.count; first += width) {
-    const std::uint64_t wanted_here = wanted == nullptr ? 0 : wanted[first / 64] >> first % 64;
-    if (wanted != nullptr && wanted_here % (std::uint64_t{1} << width) == 0) continue;
     float* const origins[3] = {packet.org_x, packet.org_y, packet.org_z};
     float* const directions[3] = {packet.dir_x, packet.dir_y, packet.dir_z};
     for (std::size_t k = 0; k != 3; ++k) {
@@ -96,10 +94,9 @@ RayCounts trace_pair(RTCScene embree, const PatchScene& scene, const FacingPair&
                                plane_a.normal[2] * end[2][i] - plane_a.offset;
         const float before_b = plane_b.normal[0] * origins[0][i] + plane_b.normal[1] * origins[1][i] +
                                plane_b.normal[2] * origins[2][i] - plane_b.offset;
-        const bool is_wanted =
-            wanted == nullptr ? before_a > least_height && before_b > least_height : (wanted_here >> i & 1U) != 0;
-        valid[i] = is_wanted ? -1 : 0;
-        traced += is_wanted ? 1 : 0;
+        const bool faces = before_a > least_height && before_b > least_height;
+        valid[i] = faces ? -1 : 0;
+        traced += faces ? 1 : 0;
       }
       if (traced == 0) continue;
     }
@@ -165,23 +162,13 @@ EmbreeScene::~EmbreeScene() = default;
 unsigned EmbreeScene::packet() const noexcept { return handles_->packet; }
 
 RayCounts EmbreeScene::trace(const FacingPair& pair, const ShadowRays& rays, float least_height) const {
-  return trace(pair, rays, least_height, nullptr);
-}
-
-unsigned EmbreeScene::count_clear(const FacingPair& pair, const ShadowRays& rays,
-                                  std::span<const std::uint64_t> wanted) const {
-  return trace(pair, rays, 0, wanted.data()).clear;
-}
-
-RayCounts EmbreeScene::trace(const FacingPair& pair, const ShadowRays& rays, float least_height,
-                             const std::uint64_t* wanted) const {
   switch (std::min(handles_->packet, rays.count)) {
     case 16:
-      return trace_pair<16>(handles_->scene, scene_, pair, rays, least_height, wanted);
+      return trace_pair<16>(handles_->scene, scene_, pair, rays, least_height);
     case 8:
-      return trace_pair<8>(handles_->scene, scene_, pair, rays, least_height, wanted);
+      return trace_pair<8>(handles_->scene, scene_, pair, rays, least_height);
     default:
-      return trace_pair<4>(handles_->scene, scene_, pair, rays, least_height, wanted);
+      return trace_pair<4>(handles_->scene, scene_, pair, rays, least_height);
   }
 }
 

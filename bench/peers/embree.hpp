@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <span>
 
 #include "scenes/patch_pairs.hpp"
 #include "scenes/patch_scene.hpp"
@@ -34,17 +33,12 @@ class EmbreeScene {
 
   /// Without rays that begin or end less than `least_height` above the other patch's plane, either.
   [[nodiscard]] RayCounts trace(const FacingPair& pair, const ShadowRays& rays, float least_height = 0) const;
-  /// How many rays are clear of those whose bits are set in `wanted`, ray i in bit i % 64 of word i / 64.
-  [[nodiscard]] unsigned count_clear(const FacingPair& pair, const ShadowRays& rays,
-                                     std::span<const std::uint64_t> wanted) const;
   /// Rays lower than this above a plane may meet the surface that they come from, for all that is left out at their
   /// ends: rounding moves them, and the surface, as far.
   [[nodiscard]] float grazing_height() const noexcept;
 
  private:
   struct Handles;
-  RayCounts trace(const FacingPair& pair, const ShadowRays& rays, float least_height,
-                  const std::uint64_t* wanted) const;
 
   std::unique_ptr<Handles> handles_;
   const PatchScene& scene_;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <set>
@@ -167,6 +168,23 @@ TEST(ShadowRays, OfBothPatchesAreDealtOutDifferently) {
   std::size_t equal = 0;
   for (std::size_t i = 0; i != 256; ++i) equal += rays.on_rectangle[0][0][i] == rays.on_rectangle[1][0][i] ? 1U : 0U;
   EXPECT_LT(equal, 32U);
+}
+
+TEST(ShadowRays, ConnectAllPartsOfBothPatches) {
+  // A quarter of a patch with a quarter of the other one: 16 of 256 rays each, but for chance.
+  const ShadowRays rays(256);
+  std::array<unsigned, 16> counts{};
+  for (std::size_t i = 0; i != rays.count; ++i) {
+    unsigned quarters = 0;
+    for (const ShadowRays::Points& points : rays.on_rectangle) {
+      for (const std::vector<float>& coordinate : points) quarters = 2 * quarters + (coordinate[i] < 0.5F ? 0 : 1);
+    }
+    ++counts[quarters];
+  }
+  for (const unsigned count : counts) {
+    EXPECT_GE(count, 7U);
+    EXPECT_LE(count, 25U);
+  }
 }
 
 TEST(ShadowRays, OfAnotherNumberThanAPowerOfTwoAreRefused) {
