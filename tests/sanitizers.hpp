@@ -32,8 +32,8 @@ inline bool is_run_often() {
   return layer != nullptr && (std::string_view(layer) == "quick" || std::string_view(layer) == "ci");
 }
 
-/// As many as asked for; half as many in the layers quick and ci, which notice as many planted faults with that; and
-/// under such a sanitizer or an emulator a sixth, since each takes several times as long there.
+/// As many as asked for; half as many in the layers quick and ci; and under such a sanitizer or an emulator a sixth,
+/// since each takes several times as long there.
 inline std::uint64_t random_cases(std::uint64_t cases) {
   if (has_shadow_memory || is_emulated) return (cases + 5) / 6;
   return is_run_often() ? (cases + 1) / 2 : cases;
