@@ -166,8 +166,7 @@ Check check(SeesScene& sees, std::span<const Product> products, const ShadowRays
             const float theirs = share_of(traced);
             result.ours += double{share};
             result.embree += double{theirs};
-            // Four standard errors of the difference between two samples of as many independent rays; none if there are
-            // none.
+            // Four standard errors of the difference between two samples of so many independent rays.
             if (std::abs(share - theirs) > 4 * std::sqrt(0.5F / static_cast<float>(traced.traced))) ++result.far_off;
             agrees = true;
           }

@@ -500,13 +500,13 @@ export interface VisibilityScene extends RayOptions {
 export interface RayOptions {
   /** Most rays per undecided pair, 1 to 65536; a multiple of 16 is cast. */
   rays?: number;
-  /** A pair gets fewer rays if the estimated standard error is at most this; 0: all rays. */
+  /** A pair gets fewer rays if the estimated standard error is at most this; 0, the default of `visibility`: all rays. */
   error?: number;
   /** Where rays start and end depends on it and on the pair alone; 1 by default. */
   seed?: number;
 }
 
-/** Patches that radiate, what stands between them, and options. */
+/** Patches that radiate, what stands between them, and options: by default 4096 `rays` at most, and an `error` of 2e-5. */
 export interface ViewFactorScene extends RayOptions,
     Pick<VisibilityScene, 'patches' | 'planes' | 'corners' | 'boxes' | 'solids' | 'hulls' | 'polygons' | 'triangles' |
                           'findSolids' | 'tolerance' | 'memory'> {
