@@ -59,7 +59,7 @@ called() { grep -qF -- "$1" "$work/log/calls" || fail "did not call \"$1\""; }
 not_called() { ! grep -q "^$1 " "$work/log/calls" || fail "called $1"; }
 
 needed="libtbb-dev libxsimd-dev libcli11-dev libfmt-dev nlohmann-json3-dev zlib1g-dev"
-optional="libassimp-dev libgmp-dev"
+optional="libassimp-dev"
 
 scenario="another distribution, nothing installed"
 system
@@ -143,7 +143,7 @@ says "building"
 
 # This system knows two of the packages that tests of embedding need. They are not of one group.
 action=(test --layer all)
-tests_need="clang libgtest-dev libgmock-dev libbenchmark-dev qemu-user valgrind doxygen mkdocs mkdocs-material"
+tests_need="clang libgtest-dev libgmock-dev libgmp-dev libbenchmark-dev qemu-user valgrind doxygen mkdocs mkdocs-material"
 knows() { stand_in apt-cache '[[ $2 == clang-19 || $2 == g++-12-multilib ]]'; }
 
 scenario="all tests, sudo"
@@ -264,7 +264,7 @@ not_called cmake
 scenario="package, sudo, but no network"
 system apt-get dpkg-query sudo c++ cmake ninja
 stand_in dpkg-deb 'exit 0'
-run 1 APT_RESULT=100 INSTALLED="$needed $optional"
+run 1 APT_RESULT=100 INSTALLED="$needed $optional libgmp-dev"
 says "apt-get install --no-install-recommends dpkg-dev file"
 not_called cmake
 

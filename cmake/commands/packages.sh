@@ -36,15 +36,20 @@ needed_elsewhere=
 foreign_architecture=
 may_install=yes
 
-# for_library, for_program, for_tests, for_bench: packages that building each of these needs.
+# for_library, for_program, for_verify, for_tests, for_bench: packages that building each of these needs.
 for_library() {
   packages+=("${library_packages[@]}")
   needed_elsewhere="a C++20 compiler, CMake 3.22, Ninja, oneTBB, xsimd 8.1"
 }
 for_program() {
   packages+=("${program_packages[@]}")
-  optional_packages+=(libassimp-dev libgmp-dev)  # to read mesh files; for the subcommand `verify`
-  needed_elsewhere+=", CLI11, fmt, nlohmann-json, zlib; to read mesh files, assimp; for \`verify\`, GMP"
+  optional_packages+=(libassimp-dev)  # to read mesh files
+  needed_elsewhere+=", CLI11, fmt, nlohmann-json, zlib; to read mesh files, assimp"
+}
+for_verify() {
+  for_program
+  packages+=(libgmp-dev)
+  needed_elsewhere+="; for \`verify\`, GMP"
 }
 for_tests() {
   packages+=("${test_packages[@]}")

@@ -1,20 +1,21 @@
 # SPDX-License-Identifier: MIT
 # Makes what is given to users: packages, the page, the documentation. Sourced by cmake/run.
 
-# package [--check]: Debian packages in build/packages; or such as are tried out, in build/packages-tried. These are not optimised,
-# and have the instruction sets of this machine, so that they are compiled in half the time.
+# package [--check | --try]: Debian packages in build/packages; these, tried out; or such as are tried out only, in
+# build/packages-tried, which are compiled in a third of the time: not optimised, for this machine's instruction sets, and without
+# `verify`.
 command_package() {
-  local python compile link targets folder=packages optimised="-O3 -DNDEBUG" sets=AUTO build
+  local python compile link targets folder=packages optimised="-O3 -DNDEBUG" options=(-D SHAFTCULL_INSTRUCTION_SETS=AUTO) build
   command -v dpkg-deb >/dev/null ||
     stop "cmake/run: only Debian and its like make Debian packages. docs/packages.md has other ways to install."
   for_library
-  for_program
+  for_verify
   packages+=(dpkg-dev:dpkg-shlibdeps file:file)
-  if [[ ${1:-} == --check ]]; then
+  if [[ ${1:-} == --@(check|try) ]]; then
     packages+=(pkg-config:pkg-config fakeroot:fakeroot)
     optional_packages+=(lintian)
   elif [[ $# -gt 0 ]]; then
-    stop "cmake/run: package takes --check or nothing, not \"$1\""
+    stop "cmake/run: package takes --check, --try or nothing, not \"$1\""
   fi
   # The Python module, where the sources have it, is made for Debian's Python.
   python=()
@@ -26,16 +27,16 @@ command_package() {
   cd "$root"
   # Debian's flags, without debugging information, which would be stripped. No -march: each instruction set has its own flags.
   export DEB_BUILD_MAINT_OPTIONS=hardening=+bindnow DEB_CXXFLAGS_MAINT_STRIP=-g
-  if [[ ${1:-} == --check ]]; then
-    folder=packages-tried optimised="-O0 -DNDEBUG" sets=BEST
+  if [[ ${1:-} == --try ]]; then
+    folder=packages-tried optimised="-O0 -DNDEBUG"
+    options=(-D SHAFTCULL_INSTRUCTION_SETS=BEST -D CMAKE_DISABLE_FIND_PACKAGE_GMP=ON)
     DEB_BUILD_MAINT_OPTIONS+=,-fortify  # which needs optimisation
   fi
   build=build/${folder/packages/package}
   compile="$(dpkg-buildflags --get CXXFLAGS) $(dpkg-buildflags --get CPPFLAGS)"
   link=$(dpkg-buildflags --get LDFLAGS)
   cmake --preset package -B "$build" -D CMAKE_CXX_FLAGS="$compile" -D CMAKE_CXX_FLAGS_RELEASE="$optimised" \
-    -D SHAFTCULL_INSTRUCTION_SETS="$sets" \
-    -D CMAKE_EXE_LINKER_FLAGS="$link" \
+    "${options[@]}" -D CMAKE_EXE_LINKER_FLAGS="$link" \
     -D CMAKE_SHARED_LINKER_FLAGS="$link" -D CMAKE_MODULE_LINKER_FLAGS="$link" "${python[@]}"
   targets=(shaftcull shaftcull_c shaftcull_cli)
   if grep -q '^shaftcull_python:' < <(cmake --build "$build" --target help); then targets+=(shaftcull_python); fi
@@ -45,7 +46,7 @@ command_package() {
   SOURCE_DATE_EPOCH=$(dpkg-parsechangelog -l cmake/packaging/debian/changelog -S Timestamp) \
     cpack --config "$build/CPackConfig.cmake" -B "$root/build/$folder"
   rm -rf "build/$folder/_CPack_Packages"
-  if [[ ${1:-} == --check ]]; then tests/packages/check.sh "$root/build/$folder"; fi
+  if [[ ${1:-} == --@(check|try) ]]; then tests/packages/check.sh "$root/build/$folder"; fi
 }
 
 # page [--check]

@@ -14,8 +14,7 @@ command_demo() {
 # verify [N]
 command_verify() {
   for_library
-  for_program
-  packages+=(libgmp-dev)
+  for_verify
   install_missing
   configure_and_build release -D SHAFTCULL_BUILD_PROGRAM=ON shaftcull_cli
   "$root/build/release/bin/shaftcull" verify --cases "${1:-1000000}" --seed "$(date +%s)"

@@ -9,7 +9,7 @@ ci_steps=(
   "tidy --changed"
   "test --preset asan --layer ci"
   "test --preset tsan --layer ci"
-  "package --check"
+  "package --try"
   "bare"
   "page --check"
 )
@@ -19,7 +19,6 @@ all_steps=(
   "test --layer all"
   "page --check"
   "package --check"
-  "package"
   "test --preset asan"
   "test --preset tsan"
   "test --preset clang"
