@@ -20,7 +20,7 @@ set(ci_tests
   wide allocation.* calls[.]aarch64 many_tree[.].* tree[.].* tree_building[.].* out_of_memory tree_memory visibility_memory
   "cli([.].*)?" "batch|batch[.](model|numpy|ranks|trees|sees)" budget[.].* docs "docs[.]links" "c([._].*)?" python[.].* "packages[.](conan|vcpkg)" hash.best
   "emulated[.][^.]*[.]isa"
-  "embedding[.](neon|big_endian|strict|no_build_type|refused|cross|package)")
+  "embedding[.](neon|strict|no_build_type|refused|cross|package)")
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=[a-z,]*address")
   # Where memory is touched.
   set(quick_tests "")

@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: MIT
-# What would make answers wrong and cannot be taken back is refused, by every source that includes a header (architecture.cmake looks
-# for that).
+# Instruction sets that do not exist are refused. So is what would make answers wrong and cannot be taken back, by every source that
+# includes a header (architecture.cmake looks for that).
 needs(g++)
+foreach(sets IN ITEMS see4_2 "")
+  fails("SHAFTCULL_INSTRUCTION_SETS is \"${sets}\"; it can be AUTO, BEST, ALL, or a list of: scalar, portable128, sse4_2,"
+    ${CMAKE_COMMAND} -S ${SHAFTCULL} -B ${WORK}/refused -G ${GENERATOR} "-DSHAFTCULL_INSTRUCTION_SETS=${sets}")
+endforeach()
 set(compile g++ -std=c++20 -I ${SHAFTCULL}/include -I ${SHAFTCULL}/kernel -E -o ${WORK}/out)
 set(is_wrong "its answers would be wrong")
 fails("${is_wrong}" ${compile} -ffast-math ${SHAFTCULL}/kernel/tree/tree_query.cpp)
