@@ -11,6 +11,7 @@
 #include "caught.hpp"
 #include "instruction_sets.hpp"
 #include "message_of.hpp"
+#include "sanitizers.hpp"
 #include "shaftcull/shaftcull.hpp"
 
 namespace shaftcull {
@@ -273,8 +274,15 @@ TEST(VisibilityOfCorners, GroupsOfBothSidesAreAnsweredAsTheirPatchesAre) {
   const std::vector<Vec3> a_corners = leaning.rounded();
   const std::vector<Vec3> b_corners = across.rounded();
   const std::vector<std::size_t> one{0, 4};
+  const PatchSet leaning_set = leaning.patches(PatchSides::both);
+  const PatchSet across_set = across.patches(PatchSides::both);
   VisibilityOptions options;
   options.tolerance = 0x1p-12F;
+  const SightCounts counts = count_visibility(leaning_set, across_set, occluders, options);
+  EXPECT_EQ(count_visibility(across_set, leaning_set, occluders, options), counts);
+  EXPECT_GT(counts.undecided, 1000U);
+  EXPECT_GT(counts.clear, 1000U);
+  if (has_shadow_memory) return;  // where thousands of calls take most of the time of all tests
   SightCounts expected;
   for (std::size_t i = 0; i != a_corners.size(); i += 4) {
     const PatchSet a(std::span<const Vec3>(a_corners).subspan(i, 4), one, PatchSides::both);
@@ -287,12 +295,7 @@ TEST(VisibilityOfCorners, GroupsOfBothSidesAreAnsweredAsTheirPatchesAre) {
       expected.facing_away += pair.facing_away;
     }
   }
-  EXPECT_GT(expected.undecided, 1000U);
-  EXPECT_GT(expected.clear, 1000U);
-  const PatchSet a = leaning.patches(PatchSides::both);
-  const PatchSet b = across.patches(PatchSides::both);
-  EXPECT_EQ(count_visibility(a, b, occluders, options), expected);
-  EXPECT_EQ(count_visibility(b, a, occluders, options), expected);
+  EXPECT_EQ(counts, expected);
 }
 
 // Groups of groups of one leaning wall, seen from behind by boxes that face it.
