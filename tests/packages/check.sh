@@ -118,7 +118,7 @@ for example in "${examples[@]}"; do
     fail "$example" "$(cat "$work/log/output")"
 done
 grep -q '</svg>' "$work/room/shaft.svg" || fail "the manual page's command draws no picture"
-quietly "$program" hash --quick
+quietly "$program" hash --quick --family between
 if "$program" --help | grep -q '^  verify '; then quietly "$program" verify --cases 20000; fi
 
 # The Python module, where it was built.
