@@ -4,7 +4,8 @@
 ///
 /// factors/city/N has about N patches: visibility, integrals and rays, but not what find_solids() takes. An item is a
 /// patch. factors/rays/S casts S rays between the undecided pairs of the smaller one, in visible_fractions(); an item
-/// is a pair.
+/// is a pair. factors/lit/S casts S rays from its patches to 16 places of the sun, in lit_fractions(); an item is a
+/// patch and a place.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -128,6 +129,28 @@ void declare_factors(Suite& suite, const Workload& /*workload*/) {
             }
             state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(fractions.size()));
           });
+        },
+        options);
+  }
+  for (const std::uint32_t rays : {16U, 64U}) {
+    suite.add(
+        fmt::format("factors/lit/{}", rays), "",
+        [rays](benchmark::State& state) {
+          select_isa(measured_isa());
+          const QuadCity city(8);
+          std::vector<Vec3> suns;
+          for (int i = 0; i != 16; ++i) {
+            const float angle = 0.2F * (static_cast<float>(i) - 7.5F);
+            suns.push_back({-std::sin(angle), -0.7F * std::cos(angle), 0.1F + 0.7F * std::cos(angle)});
+          }
+          std::vector<float> fractions(city.patches().size() * suns.size());
+          run_on(1, [&] {
+            for (auto _ : state) {
+              lit_fractions(city.patches(), city.occluders(), suns, fractions, {.rays = rays});
+              benchmark::ClobberMemory();
+            }
+          });
+          state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(fractions.size()));
         },
         options);
   }

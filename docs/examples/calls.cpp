@@ -63,6 +63,10 @@ void ask_of_all_pairs() {
   visible_fractions(a, b, occluders, pairs, fractions);
   expect(fractions[0] == 1, "rays");
   const PatchSet& facets = a;
+  const std::vector<Vec3> directions{{0, 1, 0}};
+  std::vector<float> lit(facets.size());
+  lit_fractions(facets, occluders, directions, lit);
+  expect(lit[0] >= 0 && lit[0] <= 1, "lights");
   const ViewFactors factors = view_factors(facets, occluders);
   expect(factors.sum[0] == 0, "view factors");
   expect(counts.occluded == 1 && counts.total() == 3 && batches != 0, "visibility");

@@ -61,12 +61,8 @@ void write_fractions(const PatchSet& a, const PatchSet& b, const Occluders& occl
         const std::size_t first = pairs.first_candidate[i];
         const kernel::RayTally tally =
             rays.cast(pairs.pairs[i], pairs.candidates.subspan(first, pairs.first_candidate[i + 1] - first),
-                      options.rays, [&](const kernel::RayTally& so_far) {
-                        if (options.error == 0 || so_far.facing == 0) return false;
-                        const double part = (so_far.seen + 0.5) / (so_far.facing + 1.0);
-                        return part * (1 - part) <= options.error * options.error * so_far.facing;
-                      });
-        fractions[i] = tally.facing == 0 ? 0 : static_cast<float>(tally.seen) / static_cast<float>(tally.facing);
+                      options.rays, [&](const kernel::RayTally& so_far) { return so_far.is_within(options.error); });
+        fractions[i] = tally.fraction();
       }
     });
   };

@@ -127,6 +127,12 @@ inline void add_visibility_calls(CallTable& table) {
                       {found.undecided, found.first_candidate, found.candidates}, fractions);
     for (const float fraction : fractions) note(words, fraction);
   });
+  table.add("lit_fractions", false, [all](AnswerWords& words) {
+    const std::vector<Vec3> directions{{0, 0, 1}, {1, 2, -1}, {-1, 0, 0.25F}};
+    std::vector<float> fractions(all->facets.size() * directions.size());
+    lit_fractions(all->facets, all->occluders, directions, fractions);
+    for (const float fraction : fractions) note(words, fraction);
+  });
   table.add("view_factors", false, [all](AnswerWords& words) {
     const ViewFactors factors = view_factors(all->facets, all->occluders);
     for (const double factor : factors.factor) note(words, factor);

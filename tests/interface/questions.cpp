@@ -53,6 +53,8 @@ const sc::PatchSet patches(std::vector<sc::Box>{patch, other_patch, {{20, 0, 10}
 const std::vector<sc::Vec3> corners_of_facets{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
 const std::vector<std::size_t> first_of_facets{0, 4};
 const sc::PatchSet facets(corners_of_facets, first_of_facets);
+const std::vector<sc::Vec3> towards_suns{{9, 0, 1}, {0, 0, -1}};
+std::vector<float> fractions(2);
 const sc::Occluders occluders = [] {
   sc::Occluders solid;
   solid.add_solids(walls);
@@ -134,6 +136,7 @@ std::vector<Answer> answers() {
       ANSWER(answer.occluded == 1 && delivered == 3, sc::visibility(patches, occluders, deliver)),
       ANSWER(answer.occluded == 1 && answer.total() == 3, sc::count_visibility(patches, occluders)),
       ANSWER(answer.size() == 1, sc::view_factors(facets, occluders)),
+      WRITES(fractions[0] == 1 && fractions[1] == 0, sc::lit_fractions(facets, occluders, towards_suns, fractions)),
       ANSWER(answer, sc::any(shaft, triangles)),
       ANSWER(answer, sc::any(shaft, triangles, {.triangle_test = sc::TriangleTest::vertices})),
       ANSWER(answer, sc::any(shaft, tree)),

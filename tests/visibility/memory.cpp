@@ -239,6 +239,14 @@ TEST(VisibilityMemory, OfRaysAndViewFactorsThatRunsOutLeavesNothingBehind) {
       std::vector<float> fractions(found.undecided.size());
       visible_fractions(others, others, between, {found.undecided, found.first_candidate, found.candidates}, fractions);
     });
+    expect_nothing_left([&] {
+      const PatchSet others(scene.corners, scene.first);
+      Occluders between = occluders;
+      between.add_boxes(std::span<const Box>());
+      const std::vector<Vec3> directions{{1, 2, 3}, {-1, 0, 1}};
+      std::vector<float> fractions(others.size() * directions.size());
+      lit_fractions(others, between, directions, fractions);
+    });
   });
 }
 

@@ -9,6 +9,7 @@ shaftcull_test(visibility PARTS 2
   visibility/errors.cpp
   visibility/flush_walls.cpp
   visibility/hulls.cpp
+  visibility/lit.cpp
   visibility/meet.cpp
   visibility/patch_tree.cpp
   visibility/rays.cpp
