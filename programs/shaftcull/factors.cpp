@@ -3,7 +3,7 @@
 #include <chrono>
 #include <cstdio>
 #include <memory>
-#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -11,11 +11,11 @@
 #include "instruction_set.hpp"
 #include "interrupt.hpp"
 #include "number.hpp"
+#include "output_file.hpp"
 #include "peak_memory.hpp"
 #include "progress.hpp"
 #include "scene_options.hpp"
 #include "sees.hpp"
-#include "sees_objects.hpp"
 #include "shaftcull/shaftcull.hpp"
 #include "subcommand.hpp"
 #include "table.hpp"
@@ -37,43 +37,6 @@ struct FactorsOptions {
   int threads = 0;
   InstructionSet isa;
 };
-
-/// Throws InvalidArgument for files that cannot all be written.
-void check(const FactorsOptions& options) {
-  if (!options.out.empty()) require_factors_name(options.out);
-  const std::pair<const char*, const std::string&> files[] = {
-      {"--out", options.out}, {"--svg", options.svg}, {"--ply", options.ply}};
-  for (std::size_t i = 0; i < std::size(files); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const auto& [option, path] = files[j];
-      const auto& [other_option, other_path] = files[i];
-      if (path.empty() || other_path.empty()) continue;
-      if (path != other_path && !(is_standard_output(path) && is_standard_output(other_path))) continue;
-      throw InvalidArgument(
-          fmt::format("{} {} {} {}: one cannot be both; give two files", option, path, other_option, other_path));
-    }
-  }
-}
-
-/// The scene, with facets as patches.
-FactorsResult prepared(const FactorsOptions& options) {
-  const std::string source = options.scene.source();
-  SeesChoice choice = options.scene.choice;
-  if (choice.patch_size == 0) choice.patch_size = 1e30;  // facets are whole
-  FactorsResult result{.source = source,
-                       .scene = make_sees_scene(options.scene.load(), choice, source),
-                       .patches = {},
-                       .factors = {},
-                       .patch_size = options.scene.choice.patch_size,
-                       .most_rays = options.ask.rays,
-                       .shows_objects = options.objects};
-  result.patches = factor_patches(result.scene.mesh.triangles, options.scene.choice.patch_size);
-  if (options.objects && result.scene.mesh.names.size() > most_objects_in_pairs) {
-    throw InvalidArgument(fmt::format("--objects: a table of {} objects is too large; at most {} can be shown",
-                                      grouped(result.scene.mesh.names.size()), grouped(most_objects_in_pairs)));
-  }
-  return result;
-}
 
 void find(FactorsResult& result, const FactorsOptions& options) {
   const Workers workers(options.threads);
@@ -106,15 +69,20 @@ void find(FactorsResult& result, const FactorsOptions& options) {
 }
 
 void run(const FactorsOptions& options) {
-  check(options);
+  if (!options.out.empty()) require_factors_name(options.out);
+  require_different_files({{"--out", options.out}, {"--svg", options.svg}, {"--ply", options.ply}});
   options.isa.select();
-  FactorsResult result = prepared(options);
+  FactorsResult result{make_facet_scene(options.scene, options.objects)};
+  result.most_rays = options.ask.rays;
+  result.shows_objects = options.objects;
   find(result, options);
   const std::string hint = options.scene.hint_about_normals(result.factors.counts);
   if (!hint.empty()) static_cast<void>(std::fputs(hint.c_str(), stderr));
   if (!options.out.empty()) write_factors(result, options.out);
-  if (!options.svg.empty()) write_sky_svg(result, options.svg, static_cast<std::size_t>(options.up[0] - 'x'));
-  if (!options.ply.empty()) write_sky_ply(result, options.ply);
+  const std::vector<double> skies = result.skies();
+  const FacetMap sky{skies, 1, "sky", "of the radiation meets no patch", "Sky view factors"};
+  if (!options.svg.empty()) write_map_svg(result, sky, options.svg, static_cast<std::size_t>(options.up[0] - 'x'));
+  if (!options.ply.empty()) write_map_ply(result, sky, options.ply);
   // Where a file is standard output, the report goes elsewhere.
   const auto is_output = [](const std::string& path) { return !path.empty() && is_standard_output(path); };
   const bool is_taken = is_output(options.out) || is_output(options.svg) || is_output(options.ply);

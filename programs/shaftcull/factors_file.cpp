@@ -7,10 +7,8 @@
 
 #include "factors_result.hpp"
 #include "npz.hpp"
-#include "patch_picture.hpp"
-#include "printable.hpp"
+#include "output_file.hpp"
 #include "shaftcull/error.hpp"
-#include "share_colours.hpp"
 #include "text_lines.hpp"
 
 namespace shaftcull::cli {
@@ -48,16 +46,7 @@ void write_npz(const FactorsResult& result, const std::string& path) {
   file.add({"sky", "<f8"}).append(std::span<const double>(skies));
   file.add({"error", "<f8"}).append(std::span<const double>(factors.error));
   file.add({"left_out", "<f8"}).append(std::span<const double>(factors.left_out));
-  file.add({"patch_corners", "<f4", {3}}).append(std::span<const Vec3>(result.patches.corners));
-  append_as<std::int64_t>(file.add({"first_corner", "<i8"}), std::span<const std::size_t>(result.patches.first));
-  std::vector<std::uint32_t> objects;
-  std::vector<std::uint32_t> triangles;
-  for (std::size_t i = 0; i != result.patches.size(); ++i) {
-    objects.push_back(result.object_of(i));
-    triangles.push_back(result.triangle_of(i));
-  }
-  file.add({"patch_objects", "<u4"}).append(std::span<const std::uint32_t>(objects));
-  file.add({"patch_triangles", "<u4"}).append(std::span<const std::uint32_t>(triangles));
+  add_patches(file, result);
   file.finish();
 }
 
@@ -84,47 +73,6 @@ void require_factors_name(const std::string& path) {
 
 void write_factors(const FactorsResult& result, const std::string& path) {
   path.ends_with(".npz") ? write_npz(result, path) : write_csv(result, path);
-}
-
-void write_sky_svg(const FactorsResult& result, const std::string& path, std::size_t up) {
-  PictureFaces faces;
-  faces.objects = result.scene.mesh.boxes;
-  faces.first = result.patches.first;
-  for (const Vec3& corner : result.patches.corners) faces.corners.push_back(in_doubles(corner));
-  const std::vector<double> skies = result.skies();
-  const ShareMap map{skies, ramp_of_seen, "sky", "of the radiation meets no patch"};
-  OutputFile file(path);
-  file.write(picture_of(faces, {&map, 1}, up, "Sky view factors"));
-  file.finish();
-}
-
-void write_sky_ply(const FactorsResult& result, const std::string& path) {
-  OutputFile file(path);
-  TextLines lines(file);
-  lines.add("ply\nformat ascii 1.0\n");
-  for (std::size_t i = 0; i != result.scene.mesh.names.size(); ++i) {
-    lines.add("comment object {} {}\n", i, printable(result.scene.mesh.names[i]));
-  }
-  // Many programs show colours of vertices only.
-  lines.add(
-      "element vertex {}\nproperty float x\nproperty float y\nproperty float z\n"
-      "property uchar red\nproperty uchar green\nproperty uchar blue\n"
-      "element face {}\nproperty list uchar int vertex_indices\nproperty uint object\nproperty float sky\nend_header\n",
-      result.patches.corners.size(), result.patches.size());
-  for (std::size_t i = 0; i != result.patches.size(); ++i) {
-    const auto [red, green, blue] = colour_at(ramp_of_seen, result.sky(i));
-    for (const Vec3& corner : result.patches.of(i)) {
-      lines.add("{} {} {} {} {} {}\n", corner[0], corner[1], corner[2], red, green, blue);
-    }
-  }
-  for (std::size_t i = 0; i != result.patches.size(); ++i) {
-    const std::size_t count = result.patches.of(i).size();
-    lines.add("{}", count);
-    for (std::size_t c = 0; c != count; ++c) lines.add(" {}", result.patches.first[i] + c);
-    lines.add(" {} {:.6g}\n", result.object_of(i), result.sky(i));
-  }
-  lines.write();
-  file.finish();
 }
 
 }  // namespace shaftcull::cli

@@ -62,11 +62,7 @@ void for_each_pair(const FactorsResult& result, const Row& row) {
 std::string text_of(const FactorsResult& result) {
   const Summary of = summary_of(result);
   const SightCounts& counts = result.factors.counts;
-  std::string text = fmt::format(
-      "{}: {}, {}, {}{}\n", printable(result.source), count(result.scene.mesh.names.size(), "object"),
-      count(result.scene.mesh.triangles.size(), "triangle"),
-      fmt::format("{} {}", grouped(result.patches.size()), result.patches.size() == 1 ? "patch" : "patches"),
-      result.patch_size == 0 ? "" : fmt::format(" of at most {}", result.patch_size));
+  std::string text = result.described();
   text += fmt::format("pairs: {} clear, {} by rays, {} occluded, {} facing away\n", grouped(counts.clear),
                       grouped(counts.undecided), grouped(counts.occluded), grouped(counts.facing_away));
   text += fmt::format("{} above 0; the largest estimated error of a row's sum is {:.1e}\n",

@@ -30,10 +30,11 @@ namespace {
 using namespace shaftcull::cli;
 
 #ifdef SHAFTCULL_CLI_WITH_VERIFY
-constexpr std::array subcommands{add_demo,  add_cull, add_sees,   add_factors, add_batch,
-                                 add_stats, add_draw, add_verify, add_hash};
+constexpr std::array subcommands{add_demo,  add_cull,  add_sees, add_factors, add_sun,
+                                 add_batch, add_stats, add_draw, add_verify,  add_hash};
 #else
-constexpr std::array subcommands{add_demo, add_cull, add_sees, add_factors, add_batch, add_stats, add_draw, add_hash};
+constexpr std::array subcommands{add_demo,  add_cull,  add_sees, add_factors, add_sun,
+                                 add_batch, add_stats, add_draw, add_hash};
 #endif
 
 std::string version() {

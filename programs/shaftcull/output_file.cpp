@@ -56,6 +56,18 @@ std::string refusal_to_write(const std::string& path, const std::string& why) {
   return fmt::format("{} cannot be written: {}", path == "-" ? std::string("standard output") : path + ":", why);
 }
 
+void require_different_files(std::initializer_list<std::pair<const char*, const std::string&>> files) {
+  for (auto one = files.begin(); one != files.end(); ++one) {
+    for (auto other = one + 1; other != files.end(); ++other) {
+      if (one->second.empty() || other->second.empty()) continue;
+      if (one->second != other->second && !(is_standard_output(one->second) && is_standard_output(other->second)))
+        continue;
+      throw InvalidArgument(fmt::format("{} {} {} {}: one cannot be both; give two files", one->first, one->second,
+                                        other->first, other->second));
+    }
+  }
+}
+
 bool is_standard_output(const std::string& path) { return output_place(path).is_standard_output; }
 
 bool is_stream(const std::string& path) { return output_place(path).is_stream; }

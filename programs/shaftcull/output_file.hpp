@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <initializer_list>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "output_place.hpp"
 
@@ -23,6 +25,9 @@ struct CloseFile {
 
 /// Whether output to `path` is written straight into what is there: standard output, /dev/fd/5, a device, a pipe.
 [[nodiscard]] bool is_stream(const std::string& path);
+
+/// Throws InvalidArgument if two of these options name the same file. A path may be empty.
+void require_different_files(std::initializer_list<std::pair<const char*, const std::string&>> files);
 
 /// The file that output to `path` replaces or makes: behind all symbolic links. Not of a stream.
 [[nodiscard]] std::string file_behind(const std::string& path);

@@ -12,6 +12,7 @@ void add_demo(CLI::App& program);
 void add_cull(CLI::App& program);
 void add_sees(CLI::App& program);
 void add_factors(CLI::App& program);
+void add_sun(CLI::App& program);
 void add_batch(CLI::App& program);
 void add_stats(CLI::App& program);
 void add_draw(CLI::App& program);

@@ -52,6 +52,7 @@ if(assimp_FOUND)
     cli/cull_parts_test.cpp
     cli/cull_test.cpp
     cli/factors_test.cpp
+    cli/sun_test.cpp
     cli/mesh_import_test.cpp
     cli/sees_mesh_test.cpp
     cli/small_scenes_test.cpp)

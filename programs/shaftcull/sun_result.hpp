@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+/// What `shaftcull sun` found, and what is written of it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "facet_scene.hpp"
+#include "report_format.hpp"
+#include "sun_path.hpp"
+
+namespace shaftcull::cli {
+
+struct SunResult : FacetScene {
+  std::vector<SunPosition> positions{};
+  std::string where{};          ///< the positions come from
+  std::vector<double> area{};   ///< of each patch
+  std::vector<double> hours{};  ///< of sun on each patch, in the mean over it
+  std::vector<float> lit{};     ///< the share of each patch that is lit, row by row for all positions; if it is kept
+  std::uint32_t most_rays = 0;
+  double seconds = 0;
+  int threads = 0;
+  std::uint64_t memory = 0;  ///< the most bytes that the program had
+  bool shows_objects = false;
+
+  /// Hours of all positions.
+  [[nodiscard]] double daylight() const;
+};
+
+/// The area of each patch.
+[[nodiscard]] std::vector<double> areas_of(const FactorPatches& patches);
+
+/// The whole report, ended by a newline.
+[[nodiscard]] std::string format_report(const SunResult& result, ReportFormat format);
+
+/// Throws InvalidArgument for a name that does not end in .npz.
+void require_sun_name(const std::string& path);
+/// Writes hours, and what is lit when, for NumPy.
+void write_sun(const SunResult& result, const std::string& path);
+
+}  // namespace shaftcull::cli
