@@ -1155,6 +1155,31 @@ def view_factor(from_corners: _Floats, to_corners: _Floats) -> float:
     from_corners, to_corners: float32 (k, 3), 3 to 8 corners, counterclockwise as seen from the front. ValueError for
         another number of them, for one that is not finite, and if the first polygon has no area.
     """
+def lit_fractions(
+    patches: _Floats | Sequence[_Floats] | Patches,
+    directions: _Floats,
+    *,
+    planes: _Floats | None = None,
+    occluders: _Floats | Occluders | None = None,
+    triangles: _Floats | None = None,
+    faces: _Integers | None = None,
+    rays: int = 64,
+    error: float = 0.0,
+    seed: int = 1,
+    tolerance: float = 0.0,
+) -> npt.NDArray[np.float32]:
+    """Which part of each patch is lit from each direction, by rays: float32 (n, m), from 0 to 1. 0 where the patch
+    faces away. lit @ hours are hours of sun, for directions to the sun that each stand for some hours.
+
+    patches, planes, occluders, triangles, faces: as of view_factors(), but Patches may have sides='both'.
+    directions: to lights that are infinitely far away, float32 (m, 3), of any length.
+    rays: from a patch to each light, 1 to 65536. error: fewer if the standard error is at most this.
+    seed: chooses the points. tolerance: as of visibility().
+
+    TypeError, ValueError, IndexError or BadBound names the argument that does not fit. It runs on all
+    processors; other threads of Python go on. RuntimeError in a child of fork() whose parent has used all
+    processors.
+    """
 def points(points: _Floats, *, rounding: _Rounding | None = None) -> npt.NDArray[np.float32]:
     """Boxes that are points, for viewpoints and point lights: float32 (n, 6) of points (n, 3), or (6,) of (3,).
 

@@ -15,6 +15,7 @@ PYBIND11_MODULE(_shaftcull, module) {
   add_patches(module);
   add_visibility(module);
   add_view_factors(module);
+  add_light(module);
   add_machine(module);
   module.attr("__name__") = "shaftcull._shaftcull";
 }

@@ -20,6 +20,7 @@ void add_boxes(py::module_& module);
 void add_patches(py::module_& module);
 void add_visibility(py::module_& module);
 void add_view_factors(py::module_& module);
+void add_light(py::module_& module);
 void add_machine(py::module_& module);
 
 }  // namespace shaftcull::python

@@ -501,3 +501,33 @@ def test_fractions_of_undecided_pairs():
         found.fractions(rays=0)
     with pytest.raises(ValueError, match="candidates=True"):
         sc.visibility([floor], [ceiling], polygons=half, candidates=False).fractions()
+
+
+def test_lit_fractions():
+    floor = np.array([[[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]], np.float32)
+    wall = np.array([[[-1, -1, 1], [0.5, -1, 1], [0.5, 2, 1]], [[-1, -1, 1], [0.5, 2, 1], [-1, 2, 1]]], np.float32)
+    to_sun = np.array([[0, 0, 1], [-0.25, 0, 1], [1, 0, 1], [0, 0, -1]], np.float32)
+    lit = sc.lit_fractions(floor, to_sun, triangles=wall, rays=4096)
+    assert lit.dtype == np.float32 and lit.shape == (1, 4)
+    assert lit[0] == pytest.approx([0.5, 0.25, 1, 0], abs=0.01)
+    assert (lit @ [1, 2, 3, 4])[0] == pytest.approx(4, abs=0.05)
+    assert np.array_equal(sc.lit_fractions(floor, to_sun), [[1, 1, 1, 0]])
+    assert np.array_equal(sc.lit_fractions(sc.Patches(floor, sides="both"), to_sun), np.ones((1, 4)))
+    plate = [[-1, -1, 1, 0.5, 2, 1]]
+    by_box = sc.lit_fractions([[0, 0, 0, 1, 1, 0]], to_sun, planes=[[0, 0, 1, 0]], occluders=plate, rays=4096)
+    assert by_box[0] == pytest.approx([0.5, 0.25, 1, 0], abs=0.01)
+    again = sc.lit_fractions(floor, to_sun, occluders=sc.Occluders(triangles=wall), rays=4096)
+    assert np.array_equal(again, lit)
+    assert not np.array_equal(sc.lit_fractions(floor, to_sun, triangles=wall, rays=4096, seed=2), lit)
+    rough = sc.lit_fractions(floor, to_sun, triangles=wall, rays=65536, error=0.05, tolerance=1e-3)
+    assert rough[0] == pytest.approx([0.5, 0.25, 1, 0], abs=0.2)
+    assert sc.lit_fractions(floor, np.zeros((0, 3), np.float32)).shape == (1, 0)
+    assert sc.lit_fractions(np.zeros((0, 4, 3), np.float32), to_sun).shape == (0, 4)
+    with pytest.raises(ValueError, match=r"directions\[1\] is \(0, 0, 0\)"):
+        sc.lit_fractions(floor, [[0, 0, 1], [0, 0, 0]])
+    with pytest.raises(ValueError, match="rays is 0"):
+        sc.lit_fractions(floor, to_sun, rays=0)
+    with pytest.raises((TypeError, ValueError), match="directions"):
+        sc.lit_fractions(floor, [[0, 1]])
+    with pytest.raises(ValueError, match="patch"):
+        sc.lit_fractions([[0, 0, 0, 1, 1, 1]], to_sun)
