@@ -127,6 +127,57 @@ TEST(ViewFactors, OfSquaresWithASquareBetweenAreThatOfTheDefinition) {
   EXPECT_EQ(factors(0, 1), factors(1, 0));
 }
 
+// The room of G. Pinney and D. Bean (1986) has this shape: one wall sees another past a corner. From a point of it, what is
+// seen is a rectangle, so the definition is a sum over smooth parts.
+TEST(ViewFactors, OfAnLShapedRoomAreThatOfTheDefinition) {
+  constexpr float side = 4;
+  constexpr float corner = 2.5F;
+  constexpr float height = 3;
+  RadiatingScene room;
+  const auto add_wall = [&](float x, float y, float to_x, float to_y) {
+    room.add({x, y, 0}, {x, y, height}, {to_x, to_y, height}, {to_x, to_y, 0});
+  };
+  add_wall(side, 0, side, corner);
+  add_wall(corner, side, 0, side);
+  add_wall(0, 0, side, 0);
+  add_wall(side, corner, corner, corner);
+  add_wall(corner, corner, corner, side);
+  add_wall(0, side, 0, 0);
+  for (const Box& part : {Box{{0, 0, 0}, {side, corner, height}}, Box{{0, corner, 0}, {corner, side, height}}}) {
+    const auto at = [&](bool far_x, bool far_y, float z) {
+      return Vec3{far_x ? part.hi[0] : part.lo[0], far_y ? part.hi[1] : part.lo[1], z};
+    };
+    room.add(at(false, false, 0), at(true, false, 0), at(true, true, 0), at(false, true, 0));
+    room.add(at(false, false, height), at(false, true, height), at(true, true, height), at(true, false, height));
+  }
+  constexpr int n = 40;
+  double sum = 0;
+  for (int i = 0; i != n; ++i) {
+    const double y = (i + 0.5) * corner / n;
+    const double width = std::max(0.0, side - (side - corner) * (side - y) / (corner - y));
+    for (int j = 0; j != n; ++j) {
+      const double x = (j + 0.5) * width / n;
+      const double square = (side - x) * (side - x) + (side - y) * (side - y);
+      for (int between = -n + 1; between != n; ++between) {  // so many heights are apart
+        const double z = between * double{height} / n;
+        const double share = (n - std::abs(between)) * double{height} * height / (double{n} * n);
+        sum += share * (side - x) * (side - y) / ((square + z * z) * (square + z * z)) * (width / n) * (corner / n);
+      }
+    }
+  }
+  const double right = sum / (std::numbers::pi * corner * height);
+  const ViewFactors factors = view_factors(room.patches(), room.occluders());
+  EXPECT_GT(right, 0.005);
+  EXPECT_NEAR(factors(0, 1), right, 6 * factors.error[0] + 1e-4);
+  EXPECT_NEAR(factors(0, 1), right, 5e-4);
+  EXPECT_LT(factors(0, 1), view_factor(room.patch(0), room.patch(1)) / 2);
+  EXPECT_EQ(factors(0, 4), 0);  // it faces away from the corner's other side
+  for (std::size_t i = 0; i != room.size(); ++i) {
+    EXPECT_NEAR(factors.sum[i], 1, 6 * factors.error[i] + 1e-6) << i;
+    EXPECT_NEAR(factors.sum[i], 1, 2e-3) << i;
+  }
+}
+
 TEST(ViewFactors, SumToOneInAFurnishedRoom) {
   const RadiatingScene room = furnished_room(3);
   const ViewFactors factors = view_factors(room.patches(), room.occluders());
