@@ -16,7 +16,7 @@ LightRays::LightRays(const PatchTree& patches, const OccluderData& occluders, fl
       targets_(occluders, patches_->around, patches.largest_coordinate(), tolerance),
       most_rays_((most_rays + 15) / 16 * 16),
       seed_(seed),
-      points_(most_rays_) {}
+      points_(most_rays_, 2) {}
 
 bool LightRays::faces(std::uint32_t patch, const Vec3& light) const noexcept {
   const RayPatch& of = patches_->patches[patch];

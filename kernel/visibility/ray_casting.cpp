@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 #include "dispatch/active_kernels.hpp"
@@ -11,9 +12,11 @@
 namespace shaftcull::kernel {
 namespace {
 
-/// Fractions of powers of the root of x⁵ = x + 1: their multiples fill four dimensions evenly. M. Roberts, "The
-/// Unreasonable Effectiveness of Quasirandom Sequences", 2018.
-constexpr std::array<double, 4> steps{0.8566748838545029, 0.733891856627126, 0.6287067210378087, 0.5385972572236101};
+/// Powers of 1 by the root of x³ = x + 1, and of x⁵ = x + 1: multiples of them fill two and four dimensions evenly.
+/// M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018.
+constexpr std::array<double, 2> steps_of_two{0.7548776662466927, 0.5698402909980532};
+constexpr std::array<double, 4> steps_of_four{0.8566748838545029, 0.733891856627126, 0.6287067210378087,
+                                              0.5385972572236101};
 
 /// S. Vigna's splitmix64.
 std::uint64_t mixed(std::uint64_t x) noexcept {
@@ -34,6 +37,23 @@ float rounding_of(const Box& around, float largest_coordinate) noexcept {
   return std::max(extent * 0x1p-19F, largest_coordinate * 0x1p-22F);
 }
 
+/// Of these rays, those neither of whose ends is_near(point), which is relative to the packet's origin.
+template <class IsNear>
+std::uint64_t away_from_ends(const RayPacket& packet, std::uint64_t rays, const IsNear& is_near) noexcept {
+  std::uint64_t away = 0;
+  for (; rays != 0; rays &= rays - 1) {
+    const auto ray = static_cast<unsigned>(std::countr_zero(rays));
+    Vec3 from{};
+    Vec3 to{};
+    for (std::size_t k = 0; k != 3; ++k) {
+      from[k] = packet.from[k][ray];
+      to[k] = from[k] + packet.way[k][ray];
+    }
+    if (!is_near(from) && !is_near(to)) away |= rays & (~rays + 1);
+  }
+  return away;
+}
+
 /// More than the diagonal of a box.
 float beyond(const Box& around) noexcept {
   double square = 0;
@@ -46,7 +66,9 @@ float beyond(const Box& around) noexcept {
 
 }  // namespace
 
-RayPoints::RayPoints(std::uint32_t rays) {
+RayPoints::RayPoints(std::uint32_t rays, std::size_t dimensions) {
+  const std::span<const double> steps =
+      dimensions == 2 ? std::span<const double>(steps_of_two) : std::span<const double>(steps_of_four);
   const std::uint32_t count = (rays + most_packet_rays - 1) / most_packet_rays * most_packet_rays;
   for (std::size_t s = 0; s != steps.size(); ++s) {
     points_[s].reserve(count);
@@ -84,24 +106,53 @@ std::uint64_t RayTargets::meet(const RayPacket& packet, std::uint32_t occluder, 
   switch (shape.kind) {
     case RayShapes::Kind::nothing:
       return 0;
-    case RayShapes::Kind::box: {
-      // What touches an end of a ray is left out of the box, but of no side more than a quarter.
-      const float(&face)[8] = occluders_.boxes[occluder].face;
-      float within[6];
-      for (std::size_t k = 0; k != 3; ++k) {
-        const float margin = std::min(margin_, (face[k + 3] - face[k]) / 4);
-        within[k] = face[k] + margin;
-        within[k + 3] = face[k + 3] - margin;
-      }
-      return kernels_.meet_box(packet, within, asked);
-    }
+    case RayShapes::Kind::box:
+      return meet_box(packet, occluders_.boxes[occluder].face, asked);
     case RayShapes::Kind::body:
       asked &= kernels_.meet_box(packet, occluders_.boxes[occluder].face, asked);
-      return asked == 0 ? 0 : kernels_.meet_body(packet, &shapes_->planes[shape.first], shape.count, margin_, asked);
+      return meet_body(packet, std::span(shapes_->planes).subspan(shape.first, shape.count), asked);
     case RayShapes::Kind::tree:
       return meet_tree(packet, shape.first, asked);
   }
   return 0;
+}
+
+// A ray that has an end on a solid meets it if it comes further inside than the margin. Others meet all of it: so there
+// are no gaps between solids that touch.
+std::uint64_t RayTargets::meet_box(const RayPacket& packet, const float (&face)[8], std::uint64_t asked) const {
+  asked &= kernels_.meet_box(packet, face, asked);
+  if (asked == 0) return 0;
+  float within[6];
+  for (std::size_t k = 0; k != 3; ++k) {
+    const float margin = std::min(margin_, (face[k + 3] - face[k]) / 4);
+    within[k] = face[k] + margin;
+    within[k + 3] = face[k + 3] - margin;
+  }
+  const std::uint64_t deep = asked & kernels_.meet_box(packet, within, asked);
+  return deep | away_from_ends(packet, asked & ~deep, [&](const Vec3& point) {
+           bool is_near = true;
+           for (std::size_t k = 0; k != 3; ++k) {
+             is_near = is_near && point[k] >= face[k] - packet.origin[k] - margin_ &&
+                       point[k] <= face[k + 3] - packet.origin[k] + margin_;
+           }
+           return is_near;
+         });
+}
+
+std::uint64_t RayTargets::meet_body(const RayPacket& packet, std::span<const RayPlane> planes,
+                                    std::uint64_t asked) const {
+  if (asked != 0) asked &= kernels_.meet_body(packet, planes.data(), planes.size(), 0, asked);
+  if (asked == 0) return 0;
+  const std::uint64_t deep = asked & kernels_.meet_body(packet, planes.data(), planes.size(), margin_, asked);
+  return deep | away_from_ends(packet, asked & ~deep, [&](const Vec3& point) {
+           return std::all_of(planes.begin(), planes.end(), [&](const RayPlane& plane) {
+             float height = 0;
+             for (std::size_t k = 0; k != 3; ++k) {
+               height += plane.normal[k] * (point[k] - (plane.point[k] - packet.origin[k]));
+             }
+             return height <= margin_;
+           });
+         });
 }
 
 std::uint64_t RayTargets::meet_tree(const RayPacket& packet, std::uint32_t root, std::uint64_t asked) const {

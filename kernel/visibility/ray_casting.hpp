@@ -41,10 +41,10 @@ struct RayTally {
   }
 };
 
-/// Where rays leave and arrive: points that fill four dimensions evenly, as many as were asked for.
+/// Where rays leave and arrive: points that fill so many dimensions evenly, 2 or 4, as many as were asked for.
 class RayPoints {
  public:
-  explicit RayPoints(std::uint32_t rays);
+  RayPoints(std::uint32_t rays, std::size_t dimensions);
 
   [[nodiscard]] const float* stream(std::size_t s) const noexcept { return points_[s].data(); }
 
@@ -82,7 +82,7 @@ template <class Cast, class IsEnough>
 class RayTargets {
  public:
   /// `ends` is around all that rays leave, and arrive at if that is nearby; `largest_end` is the largest magnitude of
-  /// its coordinates. What is nearer than `tolerance` to an end of a ray is what the end lies on.
+  /// its coordinates. An occluder whose surface is nearer than `tolerance` to an end of a ray is what the end lies on.
   RayTargets(const OccluderData& occluders, const Box& ends, float largest_end, float tolerance);
 
   [[nodiscard]] const RayKernels& kernels() const noexcept { return kernels_; }
@@ -94,6 +94,9 @@ class RayTargets {
 
  private:
   [[nodiscard]] std::uint64_t meet(const RayPacket& packet, std::uint32_t occluder, std::uint64_t asked) const;
+  [[nodiscard]] std::uint64_t meet_box(const RayPacket& packet, const float (&face)[8], std::uint64_t asked) const;
+  [[nodiscard]] std::uint64_t meet_body(const RayPacket& packet, std::span<const RayPlane> planes,
+                                        std::uint64_t asked) const;
   [[nodiscard]] std::uint64_t meet_tree(const RayPacket& packet, std::uint32_t root, std::uint64_t asked) const;
 
   const OccluderData& occluders_;

@@ -39,7 +39,7 @@ SightRays::SightRays(const PatchTree& a, const PatchTree& b, const OccluderData&
                tolerance),
       most_rays_((most_rays + 15) / 16 * 16),
       seed_(seed),
-      points_(most_rays_) {}
+      points_(most_rays_, 4) {}
 
 void SightRays::cast_packet(PatchPair pair, const RayShift& shift, std::span<const std::uint32_t> candidates,
                             std::uint32_t count, RayTally& tally) const {

@@ -70,7 +70,8 @@ void find(FactorsResult& result, const FactorsOptions& options) {
 
 void run(const FactorsOptions& options) {
   if (!options.out.empty()) require_factors_name(options.out);
-  require_different_files({{"--out", options.out}, {"--svg", options.svg}, {"--ply", options.ply}});
+  require_different_files({{"--out", options.out}, {"--svg", options.svg}, {"--ply", options.ply}},
+                          options.scene.paths);
   options.isa.select();
   FactorsResult result{make_facet_scene(options.scene, options.objects)};
   result.most_rays = options.ask.rays;

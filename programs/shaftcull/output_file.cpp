@@ -56,8 +56,16 @@ std::string refusal_to_write(const std::string& path, const std::string& why) {
   return fmt::format("{} cannot be written: {}", path == "-" ? std::string("standard output") : path + ":", why);
 }
 
-void require_different_files(std::initializer_list<std::pair<const char*, const std::string&>> files) {
+void require_different_files(std::initializer_list<std::pair<const char*, const std::string&>> files,
+                             std::span<const std::string> read) {
   for (auto one = files.begin(); one != files.end(); ++one) {
+    for (const std::string& path : read) {
+      if (one->second.empty() || is_stream(one->second) || path == "-") continue;
+      std::error_code ignored;
+      if (!std::filesystem::equivalent(file_path(one->second), file_path(path), ignored)) continue;
+      throw InvalidArgument(
+          fmt::format("{} {}: this file is read, and would be replaced; give another name", one->first, one->second));
+    }
     for (auto other = one + 1; other != files.end(); ++other) {
       if (one->second.empty() || other->second.empty()) continue;
       if (one->second != other->second && !(is_standard_output(one->second) && is_standard_output(other->second)))

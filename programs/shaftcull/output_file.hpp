@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <initializer_list>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -26,8 +27,10 @@ struct CloseFile {
 /// Whether output to `path` is written straight into what is there: standard output, /dev/fd/5, a device, a pipe.
 [[nodiscard]] bool is_stream(const std::string& path);
 
-/// Throws InvalidArgument if two of these options name the same file. A path may be empty.
-void require_different_files(std::initializer_list<std::pair<const char*, const std::string&>> files);
+/// Throws InvalidArgument if two of these options name the same file, or one names a file that is read. A path may be
+/// empty.
+void require_different_files(std::initializer_list<std::pair<const char*, const std::string&>> files,
+                             std::span<const std::string> read);
 
 /// The file that output to `path` replaces or makes: behind all symbolic links. Not of a stream.
 [[nodiscard]] std::string file_behind(const std::string& path);

@@ -42,6 +42,12 @@ struct SunOptions {
   InstructionSet isa;
 };
 
+/// All files that are read.
+std::vector<std::string> with_directions(std::vector<std::string> paths, const std::string& directions) {
+  if (!directions.empty()) paths.push_back(directions);
+  return paths;
+}
+
 void set_positions(SunResult& result, const SunOptions& options) {
   if (!options.directions.empty()) {
     result.positions = read_sun_positions(options.directions);
@@ -53,8 +59,8 @@ void set_positions(SunResult& result, const SunOptions& options) {
         "sun: where does the sun stand? Give --latitude DEGREES and --day MM-DD, or --directions FILE");
   }
   result.positions = sun_path(options.latitude, day_of_year(options.day), options.minutes, options.up[0]);
-  result.where =
-      fmt::format("latitude {}, {}, every {} min", options.latitude, printable(options.day), options.minutes);
+  result.where = fmt::format("latitude {}, {}, every {:.4g} min", options.latitude, printable(options.day),
+                             sun_step(options.minutes));
 }
 
 void find(SunResult& result, const SunOptions& options, bool keeps_all) {
@@ -102,14 +108,15 @@ void find(SunResult& result, const SunOptions& options, bool keeps_all) {
 
 void run(const SunOptions& options) {
   if (!options.out.empty()) require_sun_name(options.out);
-  require_different_files({{"--out", options.out}, {"--svg", options.svg}, {"--ply", options.ply}});
+  require_different_files({{"--out", options.out}, {"--svg", options.svg}, {"--ply", options.ply}},
+                          with_directions(options.scene.paths, options.directions));
   options.isa.select();
   SceneOptions scene = options.scene;
   scene.choice.finds_solids = false;  // rays meet the triangles themselves
   SunResult result{make_facet_scene(scene, options.objects)};
   set_positions(result, options);
-  result.area = areas_of(result.patches);
-  result.most_rays = options.ask.rays;
+  set_normals(result);
+  result.most_rays = (options.ask.rays + 15) / 16 * 16;
   result.shows_objects = options.objects;
   find(result, options, !options.out.empty());
 
@@ -137,9 +144,10 @@ void add_sun(CLI::App& program) {
   CLI::Option* day = sun.add_option("--day", options->day, "The day: month and day, as 06-21")->type_name("MM-DD");
   latitude->needs(day);
   day->needs(latitude);
-  CLI::Option* every = add_number(sun, "--every", options->minutes, 1, 360,
-                                  "Minutes from one position of the sun to the next (default: 15)")
-                           ->type_name("MINUTES");
+  CLI::Option* every =
+      add_number(sun, "--every", options->minutes, 1, 360,
+                 "Minutes from one position of the sun to the next, about: steps divide the day (default: 15)")
+          ->type_name("MINUTES");
   sun.add_option("--directions", options->directions,
                  "Instead of a day: a file with the way to the sun in each line, x,y,z or x,y,z,hours")
       ->type_name("FILE")
@@ -147,7 +155,7 @@ void add_sun(CLI::App& program) {
       ->excludes(day)
       ->excludes(every);
   add_number(sun, "--rays", options->ask.rays, 1, 65'536,
-             "Most rays from a patch to each position of the sun (default: 64)")
+             "Most rays from a patch to each position of the sun, a multiple of 16 (default: 64)")
       ->type_name("S");
   add_number(sun, "--error", options->ask.error, 0, 1,
              "Fewer rays where the standard error of the lit share is at most this (default: 0, all rays)")

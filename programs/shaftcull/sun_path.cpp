@@ -59,25 +59,37 @@ int day_of_year(const std::string& text) {
   const ParsedNumber<int> day = parse_number<int>(std::string_view(text).substr(std::min(dash + 1, text.size())));
   const bool are_numbers = month.error == std::errc() && day.error == std::errc();
   if (!are_numbers || month.value < 1 || month.value > 12 || day.value < 1 || day.value > days[month.value - 1]) {
-    throw InvalidArgument(fmt::format("--day {}: a month and a day of it are expected, as 06-21", printable(text)));
+    throw InvalidArgument(fmt::format("--day {}: a month and a day of it are expected, as 06-21, of a year of 365 days",
+                                      printable(text)));
   }
   int number = day.value;
   for (std::size_t m = 0; m + 1 < month.value; ++m) number += days[m];
   return number;
 }
 
+double sun_step(double minutes) {
+  constexpr double day = 24 * 60;
+  return day / static_cast<double>(std::max<long>(1, std::lround(day / minutes)));
+}
+
 std::vector<SunPosition> sun_path(double latitude, int day, double minutes, char up) {
   const double phi = latitude * degree;
   const double delta = declination(day);
-  const auto steps = std::max<long>(1, std::lround(24 * 60 / minutes));
+  const double day_begins = std::acos(std::clamp(-std::tan(phi) * std::tan(delta), -1.0, 1.0));  // before noon
+  const long steps = std::lround(24 * 60 / sun_step(minutes));
+  const auto begin_of = [&](long step) {
+    return 2 * std::numbers::pi * (static_cast<double>(step) / static_cast<double>(steps) - 0.5);
+  };
   std::vector<SunPosition> path;
   for (long step = 0; step != steps; ++step) {
-    const double angle = 2 * std::numbers::pi * ((static_cast<double>(step) + 0.5) / static_cast<double>(steps) - 0.5);
+    const double begin = std::max(begin_of(step), -day_begins);
+    const double end = std::min(begin_of(step + 1), day_begins);
+    if (begin >= end) continue;
+    const double angle = (begin + end) / 2;
     const double above = std::sin(phi) * std::sin(delta) + std::cos(phi) * std::cos(delta) * std::cos(angle);
-    if (above <= 0) continue;
     const double east = -std::cos(delta) * std::sin(angle);
     const double north = std::cos(phi) * std::sin(delta) - std::sin(phi) * std::cos(delta) * std::cos(angle);
-    path.push_back({in_scene(east, north, above, up), 24.0 / static_cast<double>(steps)});
+    path.push_back({in_scene(east, north, above, up), (end - begin) * 12 / std::numbers::pi});
   }
   return path;
 }
@@ -88,8 +100,9 @@ std::vector<SunPosition> read_sun_positions(const std::string& path) {
   std::vector<SunPosition> positions;
   std::string line;
   for (std::size_t number = 1; std::getline(file, line); ++number) {
+    if (number == 1 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);  // UTF-8, says the file
     while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
-    if (line.empty() || line.front() == '#') continue;
+    if (line.empty() || line.front() == '#' || (positions.empty() && line.starts_with("x,"))) continue;
     const std::vector<double> numbers = numbers_of(line);
     const auto is_useful = [](double x) { return std::fabs(x) <= 1e30; };
     const bool is_direction =
@@ -100,9 +113,10 @@ std::vector<SunPosition> read_sun_positions(const std::string& path) {
           fmt::format("--directions {}: line {} is \"{}\"; the way to the sun, x,y,z, is expected, and hours behind it",
                       printable(path), number, printable(line.substr(0, 80))));
     }
-    positions.push_back(
-        {{static_cast<float>(numbers[0]), static_cast<float>(numbers[1]), static_cast<float>(numbers[2])},
-         numbers.size() == 4 ? numbers[3] : 1});
+    const double length = std::hypot(numbers[0], numbers[1], numbers[2]);
+    Vec3 towards{};
+    for (std::size_t k = 0; k != 3; ++k) towards[k] = static_cast<float>(numbers[k] / length);
+    positions.push_back({towards, numbers.size() == 4 ? numbers[3] : 1});
   }
   if (file.bad()) throw InvalidArgument(fmt::format("--directions {}: the file cannot be read", printable(path)));
   if (positions.empty()) throw InvalidArgument(fmt::format("--directions {}: there is no line x,y,z", printable(path)));

@@ -57,8 +57,8 @@ std::string sun_text(const SunResult& result) {
   std::string text = result.described();
   text += fmt::format("sun: {} position{}, {:.2f} h; {}\n", grouped(result.positions.size()),
                       result.positions.size() == 1 ? "" : "s", result.daylight(), result.where);
-  text += fmt::format("lit: {:.2f} h in the mean over all patches; {} of {} never\n", of.mean, grouped(of.never),
-                      grouped(result.patches.size()));
+  text += fmt::format("lit: {:.2f} h in the mean over all patches; {} of {} patches never\n", of.mean,
+                      grouped(of.never), grouped(result.patches.size()));
   if (of.never != result.hours.size()) {
     text += fmt::format("most sun has patch {}, of {}: {:.2f} h\n", of.sunniest,
                         printable(result.scene.mesh.names[result.object_of(of.sunniest)]), result.hours[of.sunniest]);
@@ -126,9 +126,8 @@ double SunResult::daylight() const {
   return hours_of_all;
 }
 
-std::vector<double> areas_of(const FactorPatches& patches) {
-  std::vector<double> areas;
-  areas.reserve(patches.size());
+void set_normals(SunResult& result) {
+  const FactorPatches& patches = result.patches;
   for (std::size_t i = 0; i != patches.size(); ++i) {
     const std::span<const Vec3> corners = patches.of(i);
     double normal[3]{};
@@ -140,9 +139,11 @@ std::vector<double> areas_of(const FactorPatches& patches) {
         normal[k] += way(c - 1, u) * way(c, v) - way(c - 1, v) * way(c, u);
       }
     }
-    areas.push_back(std::hypot(normal[0], normal[1], normal[2]) / 2);
+    const double length = std::hypot(normal[0], normal[1], normal[2]);
+    result.area.push_back(length / 2);
+    Vec3& unit = result.normals.emplace_back();
+    for (std::size_t k = 0; k != 3 && length > 0; ++k) unit[k] = static_cast<float>(normal[k] / length);
   }
-  return areas;
 }
 
 std::string format_report(const SunResult& result, ReportFormat format) {
@@ -175,6 +176,7 @@ void write_sun(const SunResult& result, const std::string& path) {
   file.add({"directions", "<f4", {3}}).append(std::span<const Vec3>(directions));
   file.add({"direction_hours", "<f8"}).append(std::span<const double>(hours));
   file.add({"area", "<f8"}).append(std::span<const double>(result.area));
+  file.add({"normals", "<f4", {3}}).append(std::span<const Vec3>(result.normals));
   add_patches(file, result);
   file.finish();
 }

@@ -17,6 +17,7 @@ struct SunResult : FacetScene {
   std::vector<SunPosition> positions{};
   std::string where{};          ///< the positions come from
   std::vector<double> area{};   ///< of each patch
+  std::vector<Vec3> normals{};  ///< likewise, of length 1; 0 without an area
   std::vector<double> hours{};  ///< of sun on each patch, in the mean over it
   std::vector<float> lit{};     ///< the share of each patch that is lit, row by row for all positions; if it is kept
   std::uint32_t most_rays = 0;
@@ -29,8 +30,8 @@ struct SunResult : FacetScene {
   [[nodiscard]] double daylight() const;
 };
 
-/// The area of each patch.
-[[nodiscard]] std::vector<double> areas_of(const FactorPatches& patches);
+/// Sets the area and the normal of each patch.
+void set_normals(SunResult& result);
 
 /// The whole report, ended by a newline.
 [[nodiscard]] std::string format_report(const SunResult& result, ReportFormat format);

@@ -50,6 +50,11 @@ TEST_F(CliSun, ShinesAsLongAsTheDayIsOnAnOpenFloor) {
   EXPECT_NEAR(daylight("48.1", "3-21"), 12, 0.05);
   EXPECT_NEAR(daylight("0", "08-13"), 12, 0.05);
   EXPECT_EQ(daylight("80", "06-21"), 24);
+  // Steps are cut at the horizon: so the day is as long by any step.
+  const nlohmann::json coarse = report({plain(), "--latitude", "48.1", "--day", "06-21", "--every", "100"});
+  EXPECT_NEAR(coarse["daylight"], longest, 0.05);
+  EXPECT_THAT(output_of({"sun", plain(), "--latitude", "48.1", "--day", "06-21", "--every", "100", "--rays", "1"}),
+              AllOf(HasSubstr("every 102.9 min"), HasSubstr("at most 16 rays per")));
   EXPECT_EQ(daylight("-80", "06-21"), 0);
 }
 
@@ -116,13 +121,13 @@ TEST_F(CliSun, IsDrawnAndWrittenForNumPy) {
   const std::string text =
       output_of({"sun", yard(), "--directions", sun, "--patches", "1", "--svg", svg, "--ply", ply, "--out", out});
   EXPECT_THAT(text, AllOf(HasSubstr("3 objects, 6 triangles, 140 patches of at most 1"),
-                          HasSubstr("1 position, 2.00 h"), HasSubstr("of 140 never")));
+                          HasSubstr("1 position, 2.00 h"), HasSubstr("of 140 patches never")));
   EXPECT_THAT(bytes_of_file(svg), AllOf(HasSubstr("Hours of sun"), HasSubstr("of 2.00 h of sun"), HasSubstr("</svg>")));
   const std::string mesh = bytes_of_file(ply);
   EXPECT_THAT(mesh, AllOf(HasSubstr("element face 140"), HasSubstr("property float sun"), HasSubstr(" 0 2\n"),
                           HasSubstr(" 0 0\n")));
   const std::string arrays = bytes_of_file(out);
-  for (const char* name : {"hours.npy", "lit.npy", "directions.npy", "direction_hours.npy", "area.npy",
+  for (const char* name : {"hours.npy", "lit.npy", "directions.npy", "direction_hours.npy", "area.npy", "normals.npy",
                            "patch_corners.npy", "first_corner.npy", "patch_objects.npy", "patch_triangles.npy"}) {
     EXPECT_THAT(arrays, HasSubstr(name));
   }
@@ -146,13 +151,17 @@ TEST_F(CliSun, RefusesWhatItCannotDo) {
   EXPECT_THAT(refusal_of({"sun", file, "--latitude", "1", "--day", "6-1", "--every", "0"}), HasSubstr("--every"));
   EXPECT_THAT(refusal_of({"sun", file, "--directions", folder_.path("none.csv")}), HasSubstr("cannot be read"));
   for (const char* line :
-       {"1,2", "1,2,3,4,5", "0,0,0", "1,2,3,-1", "a,b,c", "1,2,inf", "nan,0,1", "1,,2", "1e31,0,0"}) {
+       {"1,2", "1,2,3,4,5", "0,0,0", "1,2,3,-1", "a,b,c", "1,2,inf", "nan,0,1", "1,,2", "1e31,0,0", "x,y,z"}) {
     const std::string bad = folder_.write("bad.csv", "0,0,1\n" + std::string(line) + "\n");
     EXPECT_THAT(refusal_of({"sun", file, "--directions", bad}), AllOf(HasSubstr("line 2"), HasSubstr(line)));
   }
   EXPECT_THAT(refusal_of({"sun", file, "--directions", folder_.write("empty.csv", "# none\n\n")}),
               HasSubstr("there is no line x,y,z"));
-  const std::string sun = folder_.write("sun.csv", "0,0,1\n");
+  const std::string sun = folder_.write("sun.csv", "\xEF\xBB\xBFx,y,z\n0,0,1\n");
+  EXPECT_EQ(report({file, "--directions", sun})["mean_hours"], 1);
+  EXPECT_THAT(refusal_of({"sun", file, "--directions", sun, "--svg", sun}), HasSubstr("would be replaced"));
+  EXPECT_THAT(refusal_of({"sun", file, "--directions", sun, "--ply", file}), HasSubstr("would be replaced"));
+  EXPECT_THAT(refusal_of({"factors", file, "--svg", file}), HasSubstr("would be replaced"));
   EXPECT_THAT(refusal_of({"sun", file, "--directions", sun, "--out", "x.csv"}), HasSubstr(".npz"));
   EXPECT_THAT(refusal_of({"sun", file, "--directions", sun, "--svg", "a", "--ply", "a"}), HasSubstr("give two files"));
   EXPECT_THAT(refusal_of({"sun", file, "--directions", sun, "--day", "6-1", "--latitude", "1"}),

@@ -127,8 +127,8 @@ TEST(ViewFactors, OfSquaresWithASquareBetweenAreThatOfTheDefinition) {
   EXPECT_EQ(factors(0, 1), factors(1, 0));
 }
 
-// The room of G. Pinney and D. Bean (1986) has this shape: one wall sees another past a corner. From a point of it, what is
-// seen is a rectangle, so the definition is a sum over smooth parts.
+// The room of G. Pinney and D. Bean (1986) has this shape: one wall sees another past a corner. From a point of it,
+// what is seen is a rectangle, so the definition is a sum over smooth parts.
 TEST(ViewFactors, OfAnLShapedRoomAreThatOfTheDefinition) {
   constexpr float side = 4;
   constexpr float corner = 2.5F;

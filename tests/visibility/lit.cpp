@@ -51,6 +51,10 @@ TEST(LitFraction, IsAllInTheOpenAndNoneOfWhatFacesAway) {
   aside.add_solids(std::vector<Box>{{{0, 0, -2}, {1, 1, -1}}, {{2, 0, 1}, {3, 1, 2}}});
   EXPECT_EQ(lit_of(patch, aside, {{0, 0, 1}}), (std::vector<float>{1}));
   EXPECT_EQ(lit_of(patch, {}, {}), std::vector<float>());
+  // A patch without an area sees on no side, nor does one towards a light in its plane.
+  const PatchSet line(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {1, 0, 0}}, std::vector<std::size_t>{0, 3});
+  EXPECT_EQ(lit_of(line, {}, {{0, 0, 1}}), (std::vector<float>{0}));
+  EXPECT_EQ(lit_of(patch, {}, {{1, 0, 0}}), (std::vector<float>{0}));
   EXPECT_EQ(lit_of(PatchSet(), aside, lights), std::vector<float>());
 }
 
@@ -76,6 +80,20 @@ TEST(LitFraction, IsWhatTheShadowOfAWallLeaves) {
     const std::vector<float> found = lit_of(square_at({0, 0, 0}), walls[w], lights, {.rays = 4096});
     for (std::size_t i = 0; i != lights.size(); ++i) EXPECT_NEAR(found[i], lit[i], 0.01) << w << ", " << i;
   }
+}
+
+// 64 rays are far better than random ones, whose error would be 0.054 here.
+TEST(LitFraction, IsKnownByFewRays) {
+  Occluders wall;
+  wall.add_polygons(std::vector<Vec3>{{-1, -1, 1}, {0.25F, -1, 1}, {0.25F, 2, 1}, {-1, 2, 1}},
+                    std::vector<std::size_t>{0, 4});
+  double squares = 0;
+  constexpr int seeds = 200;
+  for (int seed = 0; seed != seeds; ++seed) {
+    const float lit = lit_of(square_at({0, 0, 0}), wall, {{0, 0, 1}}, {.seed = static_cast<std::uint64_t>(seed)})[0];
+    squares += (lit - 0.75) * (lit - 0.75);
+  }
+  EXPECT_LT(std::sqrt(squares / seeds), 0.02);
 }
 
 TEST(LitFraction, IsTheSameAtAnyPlaceAndOfAnySize) {
@@ -129,6 +147,33 @@ TEST(LitFraction, IsNotLessForTheBodyThatThePatchIsASideOf) {
       all += fraction == 1 ? 1 : 0;
     }
     EXPECT_EQ(all, 3 * lights.size());
+  }
+}
+
+// Solids that touch have no gaps between them, however large coordinates are; and a thin one hides what a thick one
+// does.
+TEST(LitFraction, IsNoneUnderSolidsThatTouchAtAnyPlace) {
+  for (const float far : {0.0F, 1000.0F, 32768.0F, 524288.0F}) {
+    const auto at = [&](float x, float y, float z) { return Vec3{far + x, y, z}; };
+    const PatchSet floor(std::vector<Vec3>{at(-8, -8, 0), at(8, -8, 0), at(8, 8, 0), at(-8, 8, 0)},
+                         std::vector<std::size_t>{0, 4});
+    Occluders boxes;
+    Occluders hulls;
+    for (int i = -16; i != 16; ++i) {
+      const auto x = static_cast<float>(i);
+      boxes.add_solids(std::vector<Box>{{at(x, -16, 8), at(x + 1, 16, 8.25F)}});
+      std::vector<Vec3> prism;  // no box: its ends lean
+      for (const float z : {8.0F, 8.25F}) {
+        for (const float y : {-16.0F, 16.0F}) {
+          prism.push_back(at(x, y + 4 * (z - 8), z));
+          prism.push_back(at(x + 1, y + 4 * (z - 8), z));
+        }
+      }
+      hulls.add_solid_hulls(prism, std::vector<std::size_t>{0, prism.size()});
+    }
+    const std::vector<Vec3> lights{{0, 0, 1}, {0, 0.5F, 1}};
+    EXPECT_EQ(lit_of(floor, boxes, lights, {.rays = 4096}), std::vector<float>(2)) << far;
+    EXPECT_EQ(lit_of(floor, hulls, lights, {.rays = 4096}), std::vector<float>(2)) << far;
   }
 }
 
