@@ -41,7 +41,7 @@ void require_readable(const std::string& path, const std::string& name) {
 }
 
 /// Whether bytes can be read only once, and no name says what they are.
-bool is_stream(const std::string& path) {
+bool is_read_once(const std::string& path) {
   std::error_code error;
   return path == "/dev/stdin" || !std::filesystem::is_regular_file(path, error);
 }
@@ -168,7 +168,7 @@ MeshImport::MeshImport(const std::string& path)
     : name_(path == "-" ? "standard input" : path), importer_(std::make_unique<Assimp::Importer>()) {
   const std::string from = path == "-" ? "/dev/stdin" : path;
   require_readable(from, name_);
-  if (is_stream(from)) {
+  if (is_read_once(from)) {
     read_stream(*importer_, from, name_);
   } else {
     read_file(*importer_, from);

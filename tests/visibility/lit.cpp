@@ -150,6 +150,26 @@ TEST(LitFraction, IsNotLessForTheBodyThatThePatchIsASideOf) {
   }
 }
 
+// Such as a patch whose corners were rounded into the solid that it lies on.
+TEST(LitFraction, IsNotLessForASolidThatReachesOverThePatchByLessThanTheTolerance) {
+  Occluders box;
+  box.add_solids(std::vector<Box>{{{-10, -10, -5}, {10, 10, 0.001F}}});
+  Occluders hull;
+  std::vector<Vec3> wedge;
+  for (const float x : {-10.0F, 10.0F}) {
+    for (const float y : {-10.0F, 10.0F}) {
+      wedge.push_back({x, y, 0.001F});
+      wedge.push_back({x / 2, y, -5});
+    }
+  }
+  hull.add_solid_hulls(wedge, std::vector<std::size_t>{0, wedge.size()});
+  const std::vector<Vec3> lights{{0, 0, 1}, {3, 1, 1}};
+  for (const Occluders& solid : {box, hull}) {
+    EXPECT_EQ(lit_of(square_at({0, 0, 0}), solid, lights, {.tolerance = 0.002F}), std::vector<float>(2, 1.0F));
+    EXPECT_EQ(lit_of(square_at({0, 0, 0}), solid, lights), std::vector<float>(2));
+  }
+}
+
 // Solids that touch have no gaps between them, however large coordinates are; and a thin one hides what a thick one
 // does.
 TEST(LitFraction, IsNoneUnderSolidsThatTouchAtAnyPlace) {
@@ -232,14 +252,14 @@ struct LitScene {
       return triangle;
     };
     std::vector<std::size_t> first{0};
-    for (std::size_t i = 0; i != 20; ++i) {
+    for (std::size_t i = 0; i != 120; ++i) {
       const Triangle patch = triangle_near(random.vec3(-2, 2), 0.5F);
       corners.insert(corners.end(), patch.vertex.begin(), patch.vertex.end());
       first.push_back(corners.size());
-      triangles.push_back(triangle_near(random.vec3(-3, 3), 1));
     }
+    for (std::size_t i = 0; i != 20; ++i) triangles.push_back(triangle_near(random.vec3(-3, 3), 1));
     for (std::size_t i = 0; i != 4; ++i) solids.push_back(random.box(-4, 4, 0.2F, 1.5F));
-    for (std::size_t i = 0; i != 10; ++i) lights.push_back(random.vec3(-1, 1));
+    for (std::size_t i = 0; i != 6; ++i) lights.push_back(random.vec3(-1, 1));
     patches = PatchSet(corners, first);
     occluders.add_solids(solids);
     occluders.add_triangles(TriangleStream(triangles).view());
@@ -257,7 +277,7 @@ struct LitScene {
     const Triple u = way_of(corner, triple(corners[3 * patch + 1]));
     const Triple v = way_of(corner, triple(corners[3 * patch + 2]));
     if (dot_of(cross_of(u, v), triple(light)) <= 0) return 0;
-    constexpr std::size_t rays = 4000;
+    constexpr std::size_t rays = 3000;
     std::size_t seen = 0;
     for (std::size_t i = 0; i != rays; ++i) {
       double s = random.uniform(0, 1);
@@ -273,7 +293,7 @@ struct LitScene {
 
 TEST(LitFraction, IsThatOfRaysInDoubles) {
   std::size_t partly = 0;
-  for (std::uint64_t seed = 1; seed != 6; ++seed) {
+  for (std::uint64_t seed = 1; seed != 3; ++seed) {
     const LitScene scene(seed);
     const std::vector<float> found = lit_of(scene.patches, scene.occluders, scene.lights, {.rays = 4096});
     Random random(seed);
@@ -316,7 +336,7 @@ TEST(LitFraction, RefusesWhatHasNone) {
   const PatchSet patch = square_at({0, 0, 0});
   std::vector<float> fractions(2);
   const auto refused = [&](const PatchSet& patches, const std::vector<Vec3>& lights, const RayOptions& options = {}) {
-    const std::string message = message_of([&] { lit_fractions(patches, {}, lights, fractions, options); });
+    std::string message = message_of([&] { lit_fractions(patches, {}, lights, fractions, options); });
     EXPECT_EQ(fractions, std::vector<float>(2));
     return message;
   };
