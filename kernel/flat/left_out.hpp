@@ -65,7 +65,7 @@ class LeftOut {
         const std::uint32_t index =
             (*bounds_.candidates)[first + 64 * w + static_cast<std::size_t>(std::countr_zero(left))];
         const bool is_out =
-            excluded.has(index) || (layer_mask && (bounds_.layers[bounds_.position[index]] & *layer_mask) == 0);
+            excluded.has(index) || (layer_mask && (bounds_.layers_at(bounds_.position[index]) & *layer_mask) == 0);
         if (is_out) words[w] &= ~(left & -left);
       }
     }

@@ -27,7 +27,7 @@ class PackedCandidates {
       const IndexRange task = chunk_at(candidates.size(), block, b);
       float* rows[9];
       for (std::size_t r = 0; r != from.streams.rows; ++r) rows[r] = memory_.get() + r * row(from) + task.first;
-      gather(from.streams, candidates, from.position, task.first, task.size, rows);
+      gather(from, task.first, task.size, rows);
     });
     for (std::size_t r = 0; r != from.streams.rows; ++r) stream_[r] = memory_.get() + r * row(from);
     packed_.streams.stream = stream_.data();

@@ -33,7 +33,7 @@ void Scan::for_each_chunk_of_candidates(FunctionRef<bool(const ScannedChunk&)> v
   std::uint64_t* const inside = asks_for_inside(question_) ? inside_memory : nullptr;
   for (std::size_t first = 0; first < candidates.size(); first += chunk_candidates) {
     const std::size_t size = std::min(chunk_candidates, candidates.size() - first);
-    gather(bounds_.streams, candidates, bounds_.position, first, size, row.data());
+    gather(bounds_, first, size, row.data());
     test_(shaft_.shaft(), stream, size, kept, inside);
     left_out_.clear(first, size, kept);
     left_out_.clear(first, size, inside);

@@ -15,7 +15,8 @@
 namespace shaftcull {
 
 struct BoundsAccess {
-  using From = std::variant<BoxView, SphereView, TriangleView, const BoxTree*, const SphereTree*, const TriangleTree*>;
+  using From = std::variant<BoxView, SphereView, TriangleView, const BoxTree*, const SphereTree*, const TriangleTree*,
+                            const BoxTreeSnapshot*, const SphereTreeSnapshot*>;
 
   static constexpr std::size_t first_tree = 3;  ///< of these alternatives
   static_assert(std::is_same_v<std::variant_alternative_t<first_tree, From>, const BoxTree*>);

@@ -139,9 +139,14 @@ void write_by_class(const Source& source, const EntryPlace& place, const IndexRa
 }  // namespace
 
 template <class Bound, class Source>
+float node_size_of(const Source& source, std::size_t count) {
+  return usual_node_size(sample_of<Bound>(source), count);
+}
+
+template <class Bound, class Source>
 ClassBounds write_entries(const Source& source, const EntryPlace& place) {
   const std::size_t count = source.count();
-  const float node_size = usual_node_size(sample_of<Bound>(source), count);
+  const float node_size = node_size_of<Bound>(source, count);
   const std::size_t blocks = chunk_count(count, source_block);
   std::vector<std::array<std::size_t, size_classes>> places(blocks);  // counts at first
   std::atomic<bool> all_legal = true;
@@ -169,6 +174,26 @@ ClassBounds write_entries(const Source& source, const EntryPlace& place) {
 }
 
 template <class Bound>
+ClassBounds write_entries_in_task(const float* records, std::size_t count, float node_size,
+                                  const EntryStreams& entries) noexcept {
+  const RecordSource<Bound> source(records_in<Bound>(records, count));
+  const EntryPlace place{entries, nullptr, 0};
+  std::array<std::size_t, size_classes> places{};  // counts at first
+  write_in_order<Bound>(source, {0, count}, node_size, place, places);
+  ClassBounds class_first;
+  std::size_t next = 0;
+  bool one_class = false;
+  for (unsigned c = 0; c != size_classes; ++c) {
+    class_first[c] = next;
+    next += std::exchange(places[c], next);
+    one_class = one_class || next - class_first[c] == count;
+  }
+  class_first[size_classes] = next;
+  if (!one_class) write_by_class<Bound>(source, place, {0, count}, node_size, places);
+  return class_first;
+}
+
+template <class Bound>
 void write_entries_and_records(const ViewOf<Bound>& bounds, const EntryPlace& place) noexcept {
   const ViewSource<Bound> source(bounds);
   const WordWriter writer(place.bytes);
@@ -178,6 +203,11 @@ void write_entries_and_records(const ViewOf<Bound>& bounds, const EntryPlace& pl
     chunk.write_entries(place.entries, writer);
   }
 }
+
+template float node_size_of<Box>(const RecordSource<Box>&, std::size_t);
+template float node_size_of<Sphere>(const RecordSource<Sphere>&, std::size_t);
+template ClassBounds write_entries_in_task<Box>(const float*, std::size_t, float, const EntryStreams&) noexcept;
+template ClassBounds write_entries_in_task<Sphere>(const float*, std::size_t, float, const EntryStreams&) noexcept;
 
 template void write_entries_and_records<Box>(const BoxView&, const EntryPlace&) noexcept;
 template void write_entries_and_records<Sphere>(const SphereView&, const EntryPlace&) noexcept;

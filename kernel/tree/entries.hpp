@@ -86,6 +86,15 @@ class BuildScratch {
 template <class Bound, class Source>
 ClassBounds write_entries(const Source& source, const EntryPlace& place);
 
+/// The size of a node of 64 small bounds (tree/size_class.hpp) among `count`, by a sample of the source.
+template <class Bound, class Source>
+[[nodiscard]] float node_size_of(const Source& source, std::size_t count);
+
+/// Entries of legal bounds in records, sorted by class for nodes of that size, by one task.
+template <class Bound>
+ClassBounds write_entries_in_task(const float* records, std::size_t count, float node_size,
+                                  const EntryStreams& entries) noexcept;
+
 /// The same for legal bounds, in order, by one task. Both are wanted.
 template <class Bound>
 void write_entries_and_records(const ViewOf<Bound>& bounds, const EntryPlace& place) noexcept;

@@ -21,6 +21,7 @@ class LayerFilter {
   LayerFilter() noexcept = default;  // lets everything through
   LayerFilter(const TreeLayers& layers, const TreeLevel* level, std::uint32_t mask, const Kernels& kernels) noexcept
       : leaf_(layers.leaves.data()),
+        block_(layers.blocks),
         node_(layers.nodes.data()),
         level_(level),
         keep_(kernels.keep_layers),
@@ -30,14 +31,14 @@ class LayerFilter {
 
   /// Of the word of leaves from `first` on, those of `asked` that are in a layer asked for.
   [[nodiscard]] std::uint64_t leaves(std::size_t first, std::uint64_t asked) const noexcept {
-    return kept(leaf_ + first, asked);
+    return is_empty() ? 0 : kept(at(first), asked);
   }
   /// Of a word of entries of level k, those of `asked` with such leaves below.
   [[nodiscard]] std::uint64_t nodes(std::size_t k, std::size_t first, std::uint64_t asked) const noexcept {
-    return kept(node_ + level_[k].first + first, asked);
+    return is_empty() ? 0 : kept(node_ + level_[k].first + first, asked);
   }
   SHAFTCULL_ALWAYS_INLINE void prefetch(std::size_t first) const noexcept {
-    prefetch_to_second_level(leaf_ + first, fanout);
+    if (!is_empty()) prefetch_to_second_level(at(first), fanout);
   }
 
  private:
@@ -54,7 +55,14 @@ class LayerFilter {
     return bits;
   }
 
+  /// Whether there are no layers: then no bound is in any of none.
+  [[nodiscard]] bool is_empty() const noexcept { return node_ == nullptr && leaf_ == nullptr; }
+  [[nodiscard]] const std::uint32_t* at(std::size_t leaf) const noexcept {
+    return block_ == nullptr ? leaf_ + leaf : block_[leaf / block_leaves] + leaf % block_leaves;
+  }
+
   const std::uint32_t* leaf_ = nullptr;
+  const std::uint32_t* const* block_ = nullptr;
   const std::uint32_t* node_ = nullptr;
   const TreeLevel* level_ = nullptr;
   KeepLayers* keep_ = nullptr;
@@ -67,6 +75,7 @@ class Exclusion {
       : indices_(indices), excluded_(excluded), layers_(layers) {}
 
   [[nodiscard]] bool is_on() const noexcept { return layers_.is_on() || excluded_.is_on(); }
+  [[nodiscard]] const LeafIndices& indices() const noexcept { return indices_; }
 
   /// Leaves first … first + 63 will be asked about.
   SHAFTCULL_ALWAYS_INLINE void prefetch(std::size_t first) const noexcept {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -35,7 +34,7 @@ class FirstContactWalk {
         of_nodes_(with_planes_.shaft()),
         exclusion_(exclusion),
         prefetches_(parts.is_worth_prefetching()),
-        leaf_(parts.leaves.view().stream),
+        indices_(exclusion.indices()),
         start_(shaft),
         first_(shaft) {
     if (skips_overlapping) begin_skipping(shaft, kernels);
@@ -77,7 +76,7 @@ class FirstContactWalk {
     const bool is_at_start = first_.is_at_start();
     for (; kept != 0; kept &= kept - 1) {
       const std::uint32_t entry = from + static_cast<std::uint32_t>(std::countr_zero(kept));
-      const std::uint64_t least = k == 1 ? parts_.least_index[entry] : 0;
+      const std::uint64_t least = k == 1 ? parts_.least_index_below(entry) : 0;
       if (first_.is_before_all_above(least)) continue;  // which takes no time to work out
       if (skips_overlapping_ && start_.has_all_within(stream.data(), entry)) continue;
       if (is_at_start) {
@@ -105,7 +104,7 @@ class FirstContactWalk {
     for (std::uint64_t left = kept; left != 0; left &= left - 1) {
       const std::uint32_t entry = from + static_cast<std::uint32_t>(std::countr_zero(left));
       if (!start_.touches(stream, entry)) continue;
-      const std::uint64_t index = k == 1 ? parts_.least_index[entry] : 0;
+      const std::uint64_t index = k == 1 ? parts_.least_index_below(entry) : 0;
       if (best != 0 && index >= least) continue;
       best = left & -left;
       least = index;
@@ -116,17 +115,20 @@ class FirstContactWalk {
 
   void visit_leaves(std::uint32_t word) noexcept {
     std::uint64_t kept = 0;
-    test_leaves_(with_planes_.shaft(), leaf_.data(), &word, 1, &kept, nullptr, 1);
+    const std::size_t from = std::size_t{word} * fanout;
+    const float* const* const stream = parts_.streams_at(from);
+    const std::size_t place = parts_.place_in_streams(from);
+    const auto word_in_stream = static_cast<std::uint32_t>(place / fanout);
+    test_leaves_(with_planes_.shaft(), stream, &word_in_stream, 1, &kept, nullptr, 1);
     if (kept != 0 && skips_overlapping_) {
       std::uint64_t at_start = 0;
-      test_leaves_(*at_start_, leaf_.data(), &word, 1, &at_start, nullptr, 1);
+      test_leaves_(*at_start_, stream, &word_in_stream, 1, &at_start, nullptr, 1);
       kept &= ~at_start;
     }
-    const std::size_t from = std::size_t{word} * fanout;
     if (kept != 0) kept = exclusion_.leaves(from, kept);
     for (; kept != 0; kept &= kept - 1) {
-      const std::size_t leaf = from + static_cast<std::size_t>(std::countr_zero(kept));
-      first_.offer(leaf_.data(), leaf, parts_.order[leaf]);
+      const auto i = static_cast<std::size_t>(std::countr_zero(kept));
+      first_.offer(stream, place + i, indices_[from + i]);
     }
   }
 
@@ -145,7 +147,9 @@ class FirstContactWalk {
     if (!prefetches_) return;
     const std::size_t first = word * fanout;
     if (k == 0) {
-      for (const float* const row : leaf_) prefetch_to_second_level(row + first, fanout);
+      const float* const* const stream = parts_.streams_at(first);
+      const std::size_t at = parts_.place_in_streams(first);
+      for (std::size_t r = 0; r != rows_of<Bound>; ++r) prefetch_to_second_level(stream[r] + at, fanout);
       exclusion_.prefetch(first);
     } else {
       for (const float* const row : parts_.node_words(k, first, 1).stream) prefetch_to_second_level(row, fanout);
@@ -159,7 +163,7 @@ class FirstContactWalk {
   WithClosedContact of_nodes_;
   Exclusion exclusion_;
   bool prefetches_;
-  std::array<const float*, rows_of<Bound>> leaf_;
+  LeafIndices indices_;
   StartOverlap start_;
   bool skips_overlapping_ = false;
   std::optional<ShaftData> at_start_;  ///< if what overlaps the start is skipped

@@ -38,14 +38,6 @@ void set_gap(TreeLevels<Bound>& parts, std::size_t k, std::size_t entry, bool is
   word = is_gap ? word | bit : word & ~bit;
 }
 
-/// Fits one entry of a level above the first.
-template <class Bound>
-void fit_node_word(TreeLevels<Bound>& parts, const Kernels& kernels, std::size_t k, std::size_t entry) noexcept {
-  const BoxView in = parts.node_words(k - 1, entry * fanout, 1);
-  const bool is_gap = kernels.node_bounds_of_boxes(in.stream.data(), 1, parts.node_rows(k, entry).data()) != 0;
-  set_gap(parts, k, entry, is_gap || parts.gap_words(k - 1)[entry] != 0);
-}
-
 /// Entries of level 1 that a task fits: 1.5 MiB of boxes.
 constexpr std::size_t task_entries = 1024;
 static_assert(task_entries % fanout == 0, "tasks must not share a word of gaps");
@@ -57,6 +49,13 @@ void fit_leaf_word(TreeLevels<Bound>& parts, const Kernels& kernels, std::size_t
                    const ViewOf<Bound>& leaves) noexcept {
   const std::uint64_t gap = kernels.node_bounds(leaves)(leaves.stream.data(), 1, parts.node_rows(1, entry).data());
   set_gap(parts, 1, entry, gap != 0);
+}
+
+template <class Bound>
+void fit_node_word(TreeLevels<Bound>& parts, const Kernels& kernels, std::size_t k, std::size_t entry) noexcept {
+  const BoxView in = parts.node_words(k - 1, entry * fanout, 1);
+  const bool is_gap = kernels.node_bounds_of_boxes(in.stream.data(), 1, parts.node_rows(k, entry).data()) != 0;
+  set_gap(parts, k, entry, is_gap || parts.gap_words(k - 1)[entry] != 0);
 }
 
 template <class Bound>
@@ -153,6 +152,9 @@ template void fit_leaf_word(TreeLevels<Box>& parts, const Kernels& kernels, std:
                             const BoxView& leaves) noexcept;
 template void fit_leaf_word(TreeLevels<Sphere>& parts, const Kernels& kernels, std::size_t entry,
                             const SphereView& leaves) noexcept;
+template void fit_node_word(TreeLevels<Box>& parts, const Kernels& kernels, std::size_t k, std::size_t entry) noexcept;
+template void fit_node_word(TreeLevels<Sphere>& parts, const Kernels& kernels, std::size_t k,
+                            std::size_t entry) noexcept;
 template void fit_upper(TreeLevels<Box>& parts, const Kernels& kernels) noexcept;
 template void fit_upper(TreeLevels<Sphere>& parts, const Kernels& kernels) noexcept;
 template void fit_all(TreeLevels<Box>& parts, const Kernels& kernels);

@@ -25,6 +25,9 @@ struct TreeLayers {
   std::uint32_t of_all = 0;     ///< layers that every bound is in
   bool is_any_in_none = false;  ///< whether some bound is in no layer
 
+  /// Of a dynamic tree, whose layers are in blocks: null if all bounds are in all layers.
+  const std::uint32_t* const* blocks = nullptr;
+
   [[nodiscard]] bool exist() const noexcept { return !leaves.empty(); }
 
   /// Whether every bound is in one of the layers of `mask`. It may say no where that is so.

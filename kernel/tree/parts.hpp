@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kernels/kernel_table.hpp"
+#include "query/leaf_blocks.hpp"
 #include "shaftcull/streams.hpp"
 #include "shaftcull/tree.hpp"
 #include "streams/stream_access.hpp"
@@ -56,6 +57,9 @@ struct TreeLevels {
 
   TreeLayers layers;
 
+  /// Where the leaves of a dynamic tree are: its `leaves`, and the arrays of TreeParts, are empty.
+  LeafBlocks blocks{};
+
   std::vector<std::uint64_t> dirty;  ///< bit i: a leaf under entry i of level 1 has changed; empty until then
   std::size_t dirty_words = 0;       ///< how many of those bits are set; as many as there are words, or more: see below
   double surface_when_built = 0;
@@ -69,11 +73,21 @@ struct TreeLevels {
   [[nodiscard]] bool are_many_dirty() const noexcept { return dirty_words > bit_words(size) / 8; }
 
   /// Whether the leaves are more than a second-level cache holds.
-  [[nodiscard]] bool is_worth_prefetching() const noexcept { return leaves.memory_bytes() > second_level_bytes; }
+  [[nodiscard]] bool is_worth_prefetching() const noexcept {
+    return rows_of<Bound> * sizeof(float) * level[0].entries > second_level_bytes;
+  }
 
   /// A word of leaves, or some: from leaf `from` on. The tree's last word has padding behind its leaves.
   [[nodiscard]] ViewOf<Bound> leaf_words(std::size_t from, std::size_t words) const noexcept {
     return leaves.view().slice(from, words * fanout);
+  }
+  /// The streams of the leaves around `leaf`, and where it is in them.
+  [[nodiscard]] const float* const* streams_at(std::size_t leaf) const noexcept {
+    return blocks.exist() ? blocks.row + leaf / block_leaves * rows_of<Bound>
+                          : StreamAccess::view(leaves).stream.data();
+  }
+  [[nodiscard]] std::size_t place_in_streams(std::size_t leaf) const noexcept {
+    return blocks.exist() ? leaf % block_leaves : leaf;
   }
   /// Words of entries of level `k`, which is at least 1, from entry `from` on.
   [[nodiscard]] BoxView node_words(std::size_t k, std::size_t from, std::size_t words) const noexcept {
@@ -97,6 +111,11 @@ struct TreeParts : TreeLevels<Bound> {
   TreeArray<std::uint32_t> order;        ///< leaf → the user's index
   TreeArray<std::uint32_t> least_index;  ///< of each word of leaves
   LeafPlaces places;                     ///< the user's index → leaf
+
+  /// The least index of the leaves of a word, or a lower one.
+  [[nodiscard]] std::uint32_t least_index_below(std::size_t word) const noexcept {
+    return this->blocks.exist() ? 0 : least_index[word];
+  }
 };
 
 /// Lays out the levels over `size` bounds, and returns how many nodes there are.
@@ -121,6 +140,11 @@ template <class Bound>
 void fit_leaf_word(TreeLevels<Bound>& parts, const Kernels& kernels, std::size_t entry,
                    const ViewOf<Bound>& leaves) noexcept;
 inline constexpr std::size_t gap_leaves = fanout * fanout;
+static_assert(gap_leaves == block_leaves);
+
+/// Fits one entry of a level above the first.
+template <class Bound>
+void fit_node_word(TreeLevels<Bound>& parts, const Kernels& kernels, std::size_t k, std::size_t entry) noexcept;
 
 /// Fits the levels above level 1, whose entries are all fitted; leaves none dirty.
 template <class Bound>

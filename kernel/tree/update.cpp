@@ -14,9 +14,6 @@
 namespace shaftcull::kernel {
 namespace {
 
-/// Leaves that a task updates: one word of nodes.
-constexpr std::size_t block_leaves = gap_leaves;
-
 void require_count(std::size_t count, std::size_t size) {
   if (count == size) return;
   kernel::fail(InvalidArgument("update of a tree of " + counted(size, "bound") + " got " + std::to_string(count) +
@@ -40,8 +37,8 @@ void update_all(TreeParts<Bound>& parts, const Source& source) {
   require_legal<Bound>(source);
   const Kernels& kernels = active_kernels();
   parts.mark_all_dirty();
-  parallel_for(chunk_count(parts.size, block_leaves), 1, [&](std::size_t b, std::size_t) {
-    const IndexRange block = chunk_at(parts.size, block_leaves, b);
+  parallel_for(chunk_count(parts.size, gap_leaves), 1, [&](std::size_t b, std::size_t) {
+    const IndexRange block = chunk_at(parts.size, gap_leaves, b);
     write_leaves(parts, kernels, parts.order.data() + block.first, parts.size - block.first, block, source);
   });
   fit_upper(parts, kernels);

@@ -20,7 +20,6 @@ Walk<Bound>::Walk(const TreeLevels<Bound>& parts, const Kernels& kernels, const 
       visitor_(visitor),
       exclusion_(exclusion),
       excludes_(exclusion.is_on()),
-      leaf_(parts.leaves.view().stream),
       with_planes_(shaft, asks_for_inside(question) || (question == Question::kept &&
                                                         outside_needs_planes(shaft, std::is_same_v<Bound, Sphere>))),
       shaft_(with_planes_.shaft()),
@@ -97,7 +96,11 @@ void Walk<Bound>::visit_leaves(const std::uint32_t* word, std::size_t words) {
   std::uint64_t inside[most_in_batch];
   const bool both = asks_for_inside(question_);
   const ShaftData& shaft = traits_.looks_into_leaves ? of_nodes_.shaft() : shaft_;
-  test_leaves_(shaft, leaf_.data(), word, words, kept, both ? inside : nullptr, 1);
+  if (!parts_.blocks.exist()) [[likely]] {
+    test_leaves_(shaft, parts_.streams_at(0), word, words, kept, both ? inside : nullptr, 1);
+  } else {
+    test_blocks(shaft, word, words, kept, both ? inside : nullptr);
+  }
   if (excludes_) {
     for (std::size_t i = 0; i != words; ++i) {
       if (kept[i] == 0) continue;
@@ -108,8 +111,25 @@ void Walk<Bound>::visit_leaves(const std::uint32_t* word, std::size_t words) {
   is_done_ = !visitor_.words({word, kept, both ? inside : nullptr, words});
 }
 
+/// Tests words of leaves that are in blocks: those of one block at a time.
+template <class Bound>
+void Walk<Bound>::test_blocks(const ShaftData& shaft, const std::uint32_t* word, std::size_t words, std::uint64_t* kept,
+                              std::uint64_t* inside) const noexcept {
+  constexpr std::uint32_t block_words = block_leaves / fanout;
+  std::uint32_t in_block[most_in_batch];
+  for (std::size_t i = 0; i != words;) {
+    const std::uint32_t block = word[i] / block_words;
+    std::size_t end = i;
+    for (; end != words && word[end] / block_words == block; ++end) in_block[end - i] = word[end] % block_words;
+    test_leaves_(shaft, parts_.streams_at(block * block_leaves), in_block, end - i, kept + i,
+                 inside != nullptr ? inside + i : nullptr, 1);
+    i = end;
+  }
+}
+
 template <class Bound>
 void Walk<Bound>::visit_range(std::size_t first, std::size_t size) {
+  if (parts_.blocks.exist()) return visit_range_of_blocks(first, size);
   if (excludes_) return visit_range_in_part(first, size);
   is_done_ = !visitor_.range(first, size);
 }
@@ -125,6 +145,24 @@ void Walk<Bound>::visit_range_in_part(std::size_t first, std::size_t size) {
       const auto word = static_cast<std::uint32_t>(at / fanout);
       is_done_ = !visitor_.words({&word, &left, asks_for_inside(question_) ? &left : nullptr, 1});
     }
+  }
+}
+
+/// The same of blocks, without the leaves that are free.
+template <class Bound>
+void Walk<Bound>::visit_range_of_blocks(std::size_t first, std::size_t size) {
+  std::uint32_t word[most_in_batch];
+  std::uint64_t kept[most_in_batch];
+  for (std::size_t at = first; at != first + size && !is_done_;) {
+    std::size_t words = 0;
+    for (; at != first + size && words != most_in_batch; at += fanout) {
+      std::uint64_t taken = parts_.blocks.taken[at / block_leaves][at % block_leaves / fanout];
+      if (excludes_ && taken != 0) taken = exclusion_.leaves(at, taken);
+      if (taken == 0) continue;
+      word[words] = static_cast<std::uint32_t>(at / fanout);
+      kept[words++] = taken;
+    }
+    if (words != 0) is_done_ = !visitor_.words({word, kept, asks_for_inside(question_) ? kept : nullptr, words});
   }
 }
 

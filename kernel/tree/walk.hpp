@@ -6,7 +6,6 @@
 /// has nothing empty below, accepts its leaves as one range.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -70,7 +69,9 @@ class Walk {
     if (!prefetches_) return;
     const std::size_t first = word * fanout;
     if (k == 0) {
-      for (const float* const row : leaf_) prefetch_to_second_level(row + first, fanout);
+      const float* const* const stream = parts_.streams_at(first);
+      const std::size_t at = parts_.place_in_streams(first);
+      for (std::size_t r = 0; r != rows_of<Bound>; ++r) prefetch_to_second_level(stream[r] + at, fanout);
       if (traits_.reads_indices || excludes_) exclusion_.prefetch(first);
     } else {
       for (const float* const row : parts_.node_words(k, first, 1).stream) prefetch_to_second_level(row, fanout);
@@ -79,8 +80,11 @@ class Walk {
 
   void visit(std::size_t k, const std::uint32_t* word, std::size_t words);
   void visit_leaves(const std::uint32_t* word, std::size_t words);
+  void test_blocks(const ShaftData& shaft, const std::uint32_t* word, std::size_t words, std::uint64_t* kept,
+                   std::uint64_t* inside) const noexcept;
   void visit_range(std::size_t first, std::size_t size);
   void visit_range_in_part(std::size_t first, std::size_t size);
+  void visit_range_of_blocks(std::size_t first, std::size_t size);
   std::uint64_t touching_nothing(const BoxView& nodes, std::size_t first, std::uint64_t inside) const noexcept;
 
   const TreeLevels<Bound>& parts_;
@@ -93,7 +97,6 @@ class Walk {
   LeafVisitor& visitor_;
   const Exclusion& exclusion_;
   bool excludes_;
-  std::array<const float*, rows_of<Bound>> leaf_;
   WithPlanes with_planes_;
   const ShaftData& shaft_;
   WithClosedContact of_nodes_;

@@ -24,10 +24,10 @@ void write_times(const kernel::Asked& asked, std::span<const std::uint32_t> indi
   kernel::in_float_environment([&] {
     const kernel::EntryTimesOf<View> entry(shaft);
     for (std::size_t i = 0; i != indices.size(); ++i) {
-      const kernel::BoundSlice bound = bounds.streams.slice(bounds.position[indices[i]], 1);
+      const kernel::BoundPlace bound = bounds.at(bounds.position[indices[i]]);
       float coordinate[6];
-      for (std::size_t s = 0; s != View().stream.size(); ++s) coordinate[s] = *bound.stream[s];
-      times[i] = keeps(shaft, coordinate) ? entry.rounded_down(entry.exact(bound.stream, 0))
+      for (std::size_t s = 0; s != View().stream.size(); ++s) coordinate[s] = bound.stream[s][bound.i];
+      times[i] = keeps(shaft, coordinate) ? entry.rounded_down(entry.exact(bound.stream, bound.i))
                                           : std::numeric_limits<float>::infinity();
     }
   });

@@ -42,7 +42,8 @@ FirstContact contact_of_scan(const Asked& asked, std::size_t s) {
       kernel::for_each_bit(chunk.kept, chunk.words, [&](std::size_t i) {
         const std::uint32_t index = scan.index_of(chunk.first + i);
         if (!bounds.candidates && first.is_before_all_above(index)) return false;
-        first.offer(bounds.streams.stream, bounds.candidates ? bounds.position[index] : index, index);
+        const kernel::BoundPlace bound = bounds.at(bounds.candidates ? bounds.position[index] : index);
+        first.offer(bound.stream, bound.i, index);
         return true;
       });
       return bounds.candidates || !first.is_before_all_above(chunk.first + 64 * chunk.words);
