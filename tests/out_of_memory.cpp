@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "columns.hpp"
+#include "dynamic/world.hpp"
 #include "failing_memory.hpp"
 #include "many/workload.hpp"
 #include "shaftcull/shaftcull.hpp"
@@ -385,6 +386,95 @@ TEST(ListsOutOfMemory, ListsOfWhatBlocksAreAsTheyWereOrEmpty) {
   const IndexLists before{{0, 1}, {5}};
   expect_lists_or_none(before, [&](auto& lists) { list_occluders_many(shafts, memory.view(), lists); });
   expect_lists_or_none(before, [&](auto& lists) { list_occluders_many(shafts, tree, lists); });
+}
+
+/// Whether a snapshot has the bounds of the model, and lists those that a shaft keeps.
+template <class Bound>
+void expect_answers(const TreeSnapshot<Bound>& snapshot, const Model<Bound>& model) {
+  expect_same_bounds(snapshot, model);
+  const CompiledShaft shaft = compile({{-5, -5, -5}, {-5, 5, 1}}, {{5, -5, -5}, {5, 1, 5}});
+  const auto memory = columns(model.bounds);
+  Indices list_of[2];
+  list(shaft, snapshot, list_of[0]);
+  list(shaft, memory.view(), list_of[1]);
+  EXPECT_EQ(sorted(list_of[0]), list_of[1]);
+}
+
+/// Changes of a dynamic tree: whichever allocation fails, the tree, its changes and its snapshots are as they were, and
+/// the same call made again does its work. `holds_snapshot`: blocks are copied before they are changed.
+template <class Bound>
+void expect_dynamic_tree_kept(bool holds_snapshot, const Changes& first, const Changes& then) {
+  struct Object {
+    World<Bound> world{70};
+    Model<Bound> committed;
+    TreeSnapshot<Bound> held;
+  };
+  const auto make = [&] {
+    Object object;
+    object.world.change(first);
+    object.world.tree.commit();
+    object.committed = object.world.model;
+    object.world.change(then);
+    if (holds_snapshot) object.held = object.world.tree.snapshot();
+    return object;
+  };
+  EXPECT_GT(fail_each_allocation(
+                make, [](Object& object) { object.world.tree.commit(); },
+                [&](Object& object) {
+                  expect_answers(object.world.tree.committed(), object.committed);
+                  EXPECT_EQ(object.world.tree.count(), object.world.model.count());
+                  object.world.tree.commit();
+                  expect_answers(object.world.tree.committed(), object.world.model);
+                  if (holds_snapshot) expect_answers(object.held, object.committed);
+                }),
+            3U);
+}
+
+template <class Bound>
+class DynamicOutOfMemory : public testing::Test {};
+TYPED_TEST_SUITE(DynamicOutOfMemory, DynamicKinds);
+
+TYPED_TEST(DynamicOutOfMemory, CommitsAreMadeOrNot) {
+  for (const bool holds_snapshot : {false, true}) {
+    // Everything is sorted; some of two blocks is changed; bounds get layers; blocks are too full, and are split.
+    expect_dynamic_tree_kept<TypeParam>(holds_snapshot, {.count = 0}, {.count = 300, .insertions = 10});
+    expect_dynamic_tree_kept<TypeParam>(holds_snapshot, {.count = 5000, .insertions = 10}, {.count = 60});
+    expect_dynamic_tree_kept<TypeParam>(holds_snapshot, {.count = 5000, .insertions = 10},
+                                        {.count = 60, .layers = true});
+    expect_dynamic_tree_kept<TypeParam>(holds_snapshot, {.count = 7400, .insertions = 10},
+                                        {.count = 1500, .insertions = 10});
+  }
+}
+
+TYPED_TEST(DynamicOutOfMemory, ChangesAreMadeOrNot) {
+  const auto make = [] {
+    World<TypeParam> world(72);
+    world.change({.count = 2000, .insertions = 10});
+    world.tree.commit();
+    world.tree.commit();  // which keeps no memory for changes
+    return world;
+  };
+  Random random(73);
+  const std::vector<TypeParam> bounds = scene<TypeParam>(random, Shape::uniform, 3000);
+  const auto unchanged = [&](World<TypeParam>& world) {
+    EXPECT_EQ(world.tree.count(), world.model.count());
+    for (const BoundId id : world.model.ids) {
+      EXPECT_EQ(world.tree.has(id), true);
+      EXPECT_EQ(world.tree[id], world.model.bounds[id.index]);
+    }
+    world.tree.commit();
+    expect_equal(world.tree.committed(), world.model, random);
+  };
+  const auto expect_kept_by_each = [&](const auto& change) {
+    EXPECT_GT(fail_each_allocation(make, change, unchanged), 0U);
+  };
+  std::vector<BoundId> ids(bounds.size());
+  expect_kept_by_each([&](World<TypeParam>& world) { world.tree.insert(bounds, ids); });
+  expect_kept_by_each([&](World<TypeParam>& world) { world.tree.erase(world.model.ids); });
+  expect_kept_by_each(
+      [&](World<TypeParam>& world) { world.tree.move(world.model.ids, std::span(bounds).first(2000)); });
+  const std::vector<Vec3> by(2000, Vec3{1, 0, 0});
+  expect_kept_by_each([&](World<TypeParam>& world) { world.tree.move_by(world.model.ids, by); });
 }
 
 std::vector<Triangle> random_triangles(std::uint64_t seed, std::size_t count) {

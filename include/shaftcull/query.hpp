@@ -34,6 +34,7 @@
 #include <span>
 #include <variant>
 
+#include "shaftcull/dynamic_tree.hpp"
 #include "shaftcull/export.hpp"
 #include "shaftcull/streams.hpp"
 #include "shaftcull/tree.hpp"
@@ -41,9 +42,9 @@
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 
-/// The bounds of a query: a view, a stream or a tree, of boxes, spheres or triangles. Each of these converts to Bounds.
-/// Bounds refer to the memory of the view or stream, or to the tree, which must live as long as they are used. Takes a
-/// few nanoseconds; no allocation.
+/// The bounds of a query: a view, a stream or a tree, of boxes, spheres or triangles; or a dynamic tree. Each of these
+/// converts to Bounds. Bounds refer to the memory of the view or stream, or to the tree, which must live as long as
+/// they are used. Takes a few nanoseconds; no allocation.
 class Bounds {
  public:
   // NOLINTBEGIN(google-explicit-constructor): containers convert to Bounds
@@ -65,14 +66,21 @@ class Bounds {
   Bounds(const BoxTree& tree) noexcept : from_(&tree) {}
   Bounds(const SphereTree& tree) noexcept : from_(&tree) {}
   Bounds(const TriangleTree& tree) noexcept : from_(&tree) {}
+  /// A snapshot of a dynamic tree, or its last commit: valid until the next one.
+  Bounds(const BoxTreeSnapshot& snapshot) noexcept : from_(&snapshot) {}
+  Bounds(const SphereTreeSnapshot& snapshot) noexcept : from_(&snapshot) {}
+  Bounds(const DynamicBoxTree& tree) noexcept : Bounds(tree.committed()) {}
+  Bounds(const DynamicSphereTree& tree) noexcept : Bounds(tree.committed()) {}
   // NOLINTEND(google-explicit-constructor)
 
-  /// The number of bounds.
+  /// The number of bounds; of a dynamic tree, its index_end().
   [[nodiscard]] std::size_t size() const noexcept {  // NOLINT(bugprone-exception-escape): the variant has a value
     return std::visit(
         [](const auto& from) {
           if constexpr (requires { from->size(); }) {
             return from->size();
+          } else if constexpr (requires { from->index_end(); }) {
+            return from->index_end();
           } else {
             return from.count;
           }
@@ -83,7 +91,9 @@ class Bounds {
  private:
   friend struct BoundsAccess;  // the library reads the container
 
-  std::variant<BoxView, SphereView, TriangleView, const BoxTree*, const SphereTree*, const TriangleTree*> from_;
+  std::variant<BoxView, SphereView, TriangleView, const BoxTree*, const SphereTree*, const TriangleTree*,
+               const BoxTreeSnapshot*, const SphereTreeSnapshot*>
+      from_;
   std::span<const std::uint32_t> layers_{};
 };
 

@@ -87,6 +87,11 @@ using KeepLayers = std::uint64_t(const std::uint32_t* layers, std::uint32_t mask
 /// bound that is empty (for spheres: with a negative radius). NaN must not occur.
 using NodeBounds = std::uint64_t(const float* const* stream, std::size_t words, float* const* node) noexcept;
 
+/// Of 64 nodes, the one that a box suits best: where bias + 65 m' − 64 m is least, m being the square of the sum of the
+/// node's widths, and m' that of the node with the box. So the growth counts for each of 64 bounds, and the measure for
+/// the place that the bound takes. 64 if it is finite for none. Writes the least. Six streams, six corners.
+using BestNode = unsigned(const float* const* node, const float* corner, const float* bias, float* least_cost) noexcept;
+
 /// Between which keys, coordinates on an axis, the one of a rank most likely is.
 struct SampleBracket {
   unsigned axis;
@@ -249,6 +254,7 @@ struct Kernels {
   KeepLayers* keep_layers;
   NodeBounds* node_bounds_of_boxes;
   NodeBounds* node_bounds_of_spheres;
+  BestNode* best_node;
   SplitKernels split;
   SetBits set_bits;
 

@@ -24,6 +24,7 @@
 #include "kernels/siblings/sibling_packing.hpp"
 #include "kernels/spheres/boxes_around_spheres.hpp"
 #include "kernels/spheres/sphere_stages.hpp"
+#include "kernels/tree/best_node.hpp"
 #include "kernels/tree/compress_indices.hpp"
 #include "kernels/tree/keep_layers.hpp"
 #include "kernels/tree/listed_words.hpp"
@@ -136,6 +137,7 @@ inline constexpr Kernels kernels_for = {
     .keep_layers = keep_layers<L>,
     .node_bounds_of_boxes = node_bounds_of_boxes<L>,
     .node_bounds_of_spheres = node_bounds_of_spheres<L>,
+    .best_node = best_node<L>,
     .split = split_kernels<L>,
     .set_bits = {count_set_bits<L>, write_set_bits<L>},
 };

@@ -11,6 +11,7 @@
 #include "query/question.hpp"
 #include "shaftcull/first_contact.hpp"
 #include "support/float_environment.hpp"
+#include "tree/dynamic_access.hpp"
 #include "tree/exclusion.hpp"
 #include "tree/tree_access.hpp"
 #include "tree/triangle_parts.hpp"
@@ -26,10 +27,10 @@ class TreeQuery {
   TreeQuery& operator=(const TreeQuery&) = delete;
 
   [[nodiscard]] std::size_t shafts() const noexcept { return shafts_.size(); }
-  [[nodiscard]] std::size_t row_words() const noexcept { return bit_words(order_.size()); }
+  [[nodiscard]] std::size_t row_words() const noexcept { return bit_words(bounds_); }
   [[nodiscard]] const Kernels& kernels() const noexcept { return kernels_; }
   [[nodiscard]] Question question() const noexcept { return question_; }
-  [[nodiscard]] LeafIndices indices() const noexcept { return {order_, prefetches_, kernels_}; }
+  [[nodiscard]] const LeafIndices& indices() const noexcept { return indices_; }
 
   /// Gives the visitor (tree/visitors.hpp) the bounds that shaft s keeps and that are not left out.
   template <class Visitor>
@@ -39,14 +40,14 @@ class TreeQuery {
   }
 
  protected:
-  TreeQuery(std::span<const ShaftData> shafts, std::span<const std::uint32_t> order, bool prefetches, Question question,
+  TreeQuery(std::span<const ShaftData> shafts, std::size_t bounds, const LeafIndices& indices, Question question,
             const Options& options, const Kernels& kernels) noexcept
       : shafts_(shafts),
-        order_(order),
+        bounds_(bounds),
+        indices_(indices),
         kernels_(kernels),
         options_(options),
-        question_(question),
-        prefetches_(prefetches) {}
+        question_(question) {}
   ~TreeQuery() = default;
 
   [[nodiscard]] const ShaftData& shaft(std::size_t s) const noexcept { return shafts_[s]; }
@@ -56,11 +57,11 @@ class TreeQuery {
   virtual void walk_leaves(std::size_t s, LeafVisitor& visitor, const VisitorTraits& traits) const = 0;
 
   std::span<const ShaftData> shafts_;
-  std::span<const std::uint32_t> order_;
+  std::size_t bounds_;
+  LeafIndices indices_;
   const Kernels& kernels_;
   const Options& options_;
   Question question_;
-  bool prefetches_;
 };
 
 /// Of a tree of boxes or spheres.
@@ -71,13 +72,24 @@ class BoundsQuery final : public TreeQuery {
               const Options& options, const Kernels& kernels) noexcept
       : BoundsQuery(shafts, TreeAccess::parts(tree) == nullptr ? empty_ : *TreeAccess::parts(tree), question, options,
                     kernels) {}
+  /// Of a dynamic tree.
+  BoundsQuery(std::span<const ShaftData> shafts, const TreeSnapshot<Bound>& tree, Question question,
+              const Options& options, const Kernels& kernels) noexcept
+      : BoundsQuery(shafts, tree.index_end(), DynamicAccess::parts(tree), question, options, kernels) {}
 
   [[nodiscard]] FirstContact first_contact(std::size_t s) const noexcept;
 
  private:
   BoundsQuery(std::span<const ShaftData> shafts, const TreeParts<Bound>& parts, Question question,
               const Options& options, const Kernels& kernels) noexcept
-      : TreeQuery(shafts, parts.order, parts.is_worth_prefetching(), question, options, kernels), parts_(parts) {}
+      : TreeQuery(shafts, parts.order.size(), {parts.order, parts.is_worth_prefetching(), kernels}, question, options,
+                  kernels),
+        parts_(parts) {}
+  BoundsQuery(std::span<const ShaftData> shafts, std::size_t bounds, const TreeParts<Bound>& parts, Question question,
+              const Options& options, const Kernels& kernels) noexcept
+      : TreeQuery(shafts, bounds, {parts.blocks, parts.level[0].entries, parts.is_worth_prefetching(), kernels},
+                  question, options, kernels),
+        parts_(parts) {}
 
   void walk_leaves(std::size_t s, LeafVisitor& visitor, const VisitorTraits& traits) const override;
 
@@ -104,7 +116,8 @@ class TriangleQuery final : public TreeQuery {
  public:
   TriangleQuery(std::span<const ShaftData> shafts, const TriangleTree& tree, Question question, const Options& options,
                 const Kernels& kernels) noexcept
-      : TreeQuery(shafts, TriangleTreeAccess::parts(tree).order, false, question, options, kernels),
+      : TreeQuery(shafts, TriangleTreeAccess::parts(tree).order.size(),
+                  {TriangleTreeAccess::parts(tree).order, false, kernels}, question, options, kernels),
         parts_(TriangleTreeAccess::parts(tree)) {}
 
  private:

@@ -38,6 +38,14 @@ ScannedBounds read(const BoundsTree<Bound>* tree, std::span<const std::uint32_t>
           {}};
 }
 
+template <class Bound>
+ScannedBounds read(const TreeSnapshot<Bound>* snapshot, std::span<const std::uint32_t> /*layers*/) {
+  static const ViewOf<Bound> nothing;
+  ScannedBounds scanned{BoundStreams(nothing), nullptr, {}, {}, DynamicAccess::parts(*snapshot).blocks};
+  scanned.streams.count = snapshot->index_end();
+  return scanned;
+}
+
 ScannedBounds read(const TriangleTree* tree, std::span<const std::uint32_t> /*layers*/) {
   return {BoundStreams(StreamAccess::view(TriangleTreeAccess::parts(*tree).triangles)), nullptr, {}, {}};
 }
@@ -59,6 +67,10 @@ Positions positions_of(const BoundsTree<Bound>* tree) {
   const TreeParts<Bound>* const parts = TreeAccess::parts(*tree);
   return parts == nullptr ? Positions() : Positions(parts->places.of(parts->order));
 }
+template <class Bound>
+Positions positions_of(const TreeSnapshot<Bound>* snapshot) {
+  return Positions(DynamicAccess::parts(*snapshot).blocks);
+}
 Positions positions_of(const TriangleTree* tree) {
   const TriangleParts& parts = TriangleTreeAccess::parts(*tree);
   return parts.order.empty() ? Positions() : Positions(parts.places.of(parts.order));
@@ -73,7 +85,7 @@ Asked::Asked(const char* call, std::span<const CompiledShaft> shafts, const Boun
       question_(question),
       scanned_(read(bounds)),
       options_(query, call, takes, shafts.size(), scanned_.streams.count, scanned_.streams.kind,
-               scanned_.layers != nullptr) {
+               scanned_.layers != nullptr || scanned_.blocks.exist()) {
   if (question == Question::blocking) require_boxes();
   require_answers_of(shafts_, question);
   if (options_.only()) {
@@ -88,7 +100,8 @@ Asked::Asked(const char* call, std::span<const CompiledShaft> shafts, const Boun
           using Tree = std::remove_const_t<std::remove_pointer_t<From>>;
           using Walks = std::conditional_t<
               std::is_same_v<Tree, TriangleTree>, TriangleQuery,
-              std::conditional_t<std::is_same_v<Tree, BoxTree>, BoundsQuery<Box>, BoundsQuery<Sphere>>>;
+              std::conditional_t<std::is_same_v<Tree, BoxTree> || std::is_same_v<Tree, BoxTreeSnapshot>,
+                                 BoundsQuery<Box>, BoundsQuery<Sphere>>>;
           walks_ = &query_.template emplace<Walks>(shafts_, *from, question, options_, kernels_);
         }
       },

@@ -52,6 +52,27 @@ void add_tree_calls(CallTable& table, const std::string& of, const ViewOf<Bound>
       note(words, kept);
     }
   });
+  table.add("changes and commits of a dynamic tree" + of, true, [=, &table, &bounds](AnswerWords& words) {
+    DynamicTree<Bound> tree_of_ids;
+    std::vector<BoundId> ids(bounds.size());
+    tree_of_ids.insert(bounds, ids, table.layers);
+    tree_of_ids.commit();
+    const TreeSnapshot<Bound> before = tree_of_ids.snapshot();
+    const std::size_t few = bounds.size() / 9;
+    tree_of_ids.erase(std::span<const BoundId>(ids).first(few));
+    tree_of_ids.move(std::span<const BoundId>(ids).subspan(few, few), std::span<const Bound>(bounds).first(few));
+    tree_of_ids.set_layers(ids.back(), 1);
+    tree_of_ids.insert(bounds.front(), 2);
+    tree_of_ids.commit();
+    note(words, tree_of_ids.committed().box());
+    note(words, tree_of_ids.upkeep().growth);
+    std::vector<std::uint32_t> kept;
+    for (const CompiledShaft& shaft : table.shafts) {
+      note(words, list(shaft, tree_of_ids, kept, {.layer_mask = {3}}));
+      note(words, kept);
+      note(words, count(shaft, before));
+    }
+  });
   table.add("box of a tree" + of, false, [=, &tree](AnswerWords& words) { note(words, tree.box()); });
   table.add("list of a tree that looks up leaves" + of, true, [=, &table, &tree](AnswerWords& words) {
     IndexLists lists;

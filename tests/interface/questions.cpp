@@ -47,6 +47,13 @@ const sc::BoxTree tree = [] {
   boxes.set_layers(std::vector<std::uint32_t>{1, 2, 4});
   return boxes;
 }();
+const sc::DynamicBoxTree bodies = [] {
+  sc::DynamicBoxTree boxes;
+  boxes.insert(body);
+  boxes.insert({{0, 0, 5}, {1, 1, 6}});
+  boxes.commit();
+  return boxes;
+}();
 const sc::SphereTree spheres(std::vector<sc::Sphere>{{{0.5F, 0.5F, 6}, 0.25F}});
 const sc::TriangleTree triangles(std::vector<sc::Triangle>{{{{{0.4F, 0.4F, 5}, {9, 0.4F, 5}, {9, 9, 6}}}}});
 const sc::PatchSet patches(std::vector<sc::Box>{patch, other_patch, {{20, 0, 10}, {21, 1, 10}}});
@@ -132,6 +139,7 @@ std::vector<Answer> answers() {
              sc::first_contact(sc::swept(body, travel), tree, {.exclude = {me}})),
       ANSWER(answer.index == 0 && answer.time > 0.52F && answer.time < 0.53F,
              sc::first_contact(sc::swept(body, travel), spheres)),
+      ANSWER(answer.index == 0 && answer.time == 0, sc::first_contact(sc::swept(body, travel), bodies)),
       WRITES(times[0] > 0.44F && times[0] < 0.45F, sc::entry_times(sc::swept(body, travel), tree, indices, times)),
       ANSWER(answer.occluded == 1 && delivered == 3, sc::visibility(patches, occluders, deliver)),
       ANSWER(answer.occluded == 1 && answer.total() == 3, sc::count_visibility(patches, occluders)),

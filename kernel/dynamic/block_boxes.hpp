@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+/// Where the blocks of a dynamic tree are, and which one a bound suits best.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "dynamic/nearest.hpp"
+#include "dynamic/sort_blocks.hpp"
+#include "tree/dynamic_access.hpp"
+
+namespace shaftcull::kernel {
+
+/// Boxes around blocks, and around each 64 of them.
+class BlockBoxes {
+ public:
+  /// Of the blocks of a state, to find the best one for a bound.
+  template <class Bound>
+  explicit BlockBoxes(const DynamicState<Bound>& state) : BlockBoxes(state.blocks.size()) {
+    if (state.parts.levels > 2) {
+      const BoxView nodes = state.parts.node_words(2, 0, words_);
+      for (std::size_t f = 0; f != 6; ++f) std::copy_n(nodes.stream[f], size_, written_box_[f]);
+    } else {
+      for (std::size_t b = 0; b != size_; ++b) grow_around(b, *state.blocks[b]);
+    }
+    for (unsigned large = 0; large != 2; ++large) {
+      bias_[large].assign(words_ * fanout, ruled_out);
+      has_any_[large].assign(words_, false);
+    }
+    for (std::size_t b = 0; b != size_; ++b) {
+      const bool is_large = state.size_of[b].is_large;
+      bias_[is_large][b] = 0;
+      has_any_[is_large][b / fanout] = true;
+      if (is_large) continue;
+      const float corner[6] = {box_[0][b], box_[1][b], box_[2][b], box_[3][b], box_[4][b], box_[5][b]};
+      grow_box(written_around_, b / fanout, corner);
+    }
+  }
+  template <class Bound>
+  explicit BlockBoxes(const Blocks<Bound>& blocks) : BlockBoxes(blocks.size()) {
+    for (std::size_t b = 0; b != size_; ++b) grow_around(b, *blocks[b]);
+  }
+
+  [[nodiscard]] bool has(std::size_t block, const float (&corner)[6]) const noexcept {
+    return box_holds(box_, block, corner);
+  }
+  /// The block that a bound suits best, if there is any for it: of those for large bounds or of the others. Of these,
+  /// one in a group that holds it, and otherwise of the group that it suits best. One group would not do: blocks at its
+  /// rim would grow into the next, and with them the group.
+  [[nodiscard]] std::optional<std::size_t> best_for(const float (&corner)[6], bool is_large,
+                                                    const Kernels& kernels) const noexcept {
+    std::optional<BestOfNodes> best;
+    for (std::size_t group = 0; group != words_; ++group) {
+      if (!has_any_[is_large][group]) continue;
+      if (!is_large && words_ > few_words && !box_holds(around_, group, corner)) continue;
+      keep_better(best, best_in(group, corner, is_large, kernels));
+    }
+    if (!best && !is_large) {
+      std::optional<BestOfNodes> nearest;
+      for (std::size_t group = 0; group != words_; ++group) {
+        if (!has_any_[0][group]) continue;
+        keep_better(nearest, {group, cost_of_one_more(around_, group, corner)});
+      }
+      if (nearest) best = best_in(nearest->node, corner, false, kernels);
+    }
+    if (!best) return {};
+    return best->node;
+  }
+  /// How much of block a is in block b, too: 0 to 1, by lengths.
+  [[nodiscard]] float share_of(std::size_t a, std::size_t b) const noexcept {
+    float share = 1;
+    for (std::size_t k = 0; k != 3; ++k) {
+      const float width = box_[k + 3][a] - box_[k][a];
+      const float common = lesser(box_[k + 3][a], box_[k + 3][b]) - greater(box_[k][a], box_[k][b]);
+      if (!(common >= 0)) return 0;
+      if (width > 0) share *= common / width;
+    }
+    return share <= 1 ? share : 0;  // not of infinite ones
+  }
+  /// How large a box around two blocks is.
+  [[nodiscard]] float measure_of_both(std::size_t a, std::size_t b) const noexcept {
+    return node_measure(greater(box_[3][a], box_[3][b]) - lesser(box_[0][a], box_[0][b]),
+                        greater(box_[4][a], box_[4][b]) - lesser(box_[1][a], box_[1][b]),
+                        greater(box_[5][a], box_[5][b]) - lesser(box_[2][a], box_[2][b]));
+  }
+  [[nodiscard]] BoxView view() const noexcept {
+    return {{box_[0], box_[1], box_[2], box_[3], box_[4], box_[5]}, size_};
+  }
+
+ private:
+  static constexpr std::size_t few_words = 2;  ///< up to so many words, all blocks are compared
+
+  explicit BlockBoxes(std::size_t blocks)
+      : size_(blocks), words_(bit_words(blocks)), memory_(6 * (words_ * 64 + bit_words(words_) * 64)) {
+    float* next = memory_.data();
+    for (std::size_t f = 0; f != 6; ++f) {
+      box_[f] = written_box_[f] = std::exchange(next, next + words_ * 64);
+      around_[f] = written_around_[f] = std::exchange(next, next + bit_words(words_) * 64);
+      std::fill_n(written_box_[f], words_ * 64, padding_box[f]);
+      std::fill_n(written_around_[f], bit_words(words_) * 64, padding_box[f]);
+    }
+  }
+  template <class Bound>
+  void grow_around(std::size_t b, const LeafBlock<Bound>& block) noexcept {
+    for (std::size_t w = 0; w != block_words; ++w) {
+      const float corner[6] = {block.node[0][w], block.node[1][w], block.node[2][w],
+                               block.node[3][w], block.node[4][w], block.node[5][w]};
+      grow_box(written_box_, b, corner);
+    }
+  }
+
+  static void keep_better(std::optional<BestOfNodes>& best, const BestOfNodes& other) noexcept {
+    if (!best || other.cost < best->cost) best = other;
+  }
+  [[nodiscard]] BestOfNodes best_in(std::size_t group, const float (&corner)[6], bool is_large,
+                                    const Kernels& kernels) const noexcept {
+    const std::size_t first = group * fanout;
+    const float* const row[6] = {box_[0] + first, box_[1] + first, box_[2] + first,
+                                 box_[3] + first, box_[4] + first, box_[5] + first};
+    float bias[fanout];
+    std::copy_n(bias_[is_large].data() + first, fanout, bias);
+    BestOfNodes best = best_node_for(row, corner, bias, kernels);
+    best.node += first;
+    return best;
+  }
+
+  std::size_t size_;
+  std::size_t words_;
+  std::vector<float> memory_;
+  std::vector<float> bias_[2];    ///< of blocks for bounds that are not large, and for large ones
+  std::vector<bool> has_any_[2];  ///< whether a group has such a block
+  float* written_box_[6];
+  float* written_around_[6];
+  const float* box_[6];
+  const float* around_[6];
+};
+
+}  // namespace shaftcull::kernel

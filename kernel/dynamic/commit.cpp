@@ -1,0 +1,521 @@
+// SPDX-License-Identifier: MIT
+/// A commit plans first, and allocates all that it needs. Then it writes, and nothing throws any more.
+#include "dynamic/commit.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+#include "dispatch/active_kernels.hpp"
+#include "dynamic/block_boxes.hpp"
+#include "dynamic/block_changes.hpp"
+#include "dynamic/commit_plan.hpp"
+#include "dynamic/members.hpp"
+#include "dynamic/sort_blocks.hpp"
+#include "parallel/parallel.hpp"
+#include "support/exact_floats.hpp"
+#include "support/index_range.hpp"
+#include "support/prefetch.hpp"
+#include "tree/build.hpp"
+#include "tree/entries.hpp"
+#include "tree/source.hpp"
+
+namespace shaftcull::kernel {
+namespace {
+
+template <class Bound>
+class Commit {
+ public:
+  Commit(const Shared<StateOf<Bound>>& old, std::span<const Change<Bound>> changes, std::size_t index_end, bool layers,
+         bool everything, Upkeep& upkeep)
+      : old_(old),
+        in_place_(old.is_only()),
+        changes_(changes),
+        index_end_(index_end),
+        layers_(layers),
+        everything_(everything),
+        upkeep_(upkeep),
+        spent_(begun(upkeep)),
+        kernels_(active_kernels()),
+        plan_(*old, changes, spent_, kernels_) {}
+
+  Shared<StateOf<Bound>> run() {
+    if (everything_ || plan_.is_worth_sorting_all()) return sort_all();
+    plan_.complete();
+    sort_groups();
+    plan_table();
+    Shared<StateOf<Bound>> next = prepare();
+    write_blocks();
+    finish(*next);
+    upkeep_ = spent_;
+    return next;
+  }
+
+ private:
+  static constexpr std::uint32_t nowhere = ~std::uint32_t{0};
+
+  /// Fewer steps are made by one thread.
+  static constexpr std::size_t few_steps = 1024;
+
+  /// A block of the next state.
+  struct Place {
+    std::uint32_t number;
+    std::uint32_t from;              ///< the position that it has now, or `nowhere`
+    Shared<LeafBlock<Bound>> block;  ///< a new one, or a copy to be changed; null: the present one
+    [[nodiscard]] bool is_new() const noexcept { return from == nowhere; }
+  };
+
+  [[nodiscard]] static Upkeep begun(Upkeep upkeep) noexcept {
+    upkeep.sorted_last = 0;
+    return upkeep;
+  }
+  [[nodiscard]] const DynamicState<Bound>& old() const noexcept { return *old_; }
+  [[nodiscard]] std::size_t blocks() const noexcept { return old().blocks.size(); }
+
+  Shared<StateOf<Bound>> sort_all() {
+    Members<Bound> members(plan_.count());
+    std::vector<std::uint64_t> gone(blocks() * block_words);
+    for (const BlockStep& step : plan_.steps()) {
+      gone[step.block * block_words + step.leaf / fanout] |= std::uint64_t{1} << step.leaf % fanout;
+    }
+    for (std::size_t b = 0; b != blocks(); ++b) add_stayers(members, b, gone.data() + b * block_words);
+    for (const BlockStep& step : plan_.steps()) {
+      if (step.kind == BlockStep::move) add(members, changes_[step.change]);
+    }
+    for (const std::uint32_t c : plan_.arrivals()) add(members, changes_[c]);
+    Blocks<Bound> sorted;
+    if (members.count() != 0) sorted = sorted_blocks_in_parallel(members, has_layers(), kernels_);
+    const BlockBoxes boxes(sorted);
+    for (std::size_t b = 0; b != sorted.size(); ++b) {
+      table_.push_back({static_cast<std::uint32_t>(b + 1), nowhere, std::move(sorted[b])});
+    }
+    numbers_ = table_.size() + 1;
+    order_table(boxes);
+    in_place_ = false;  // nothing of it is used again
+    for (std::size_t i = 0; i != pages(); ++i) pages_.push_back(Shared<PlacePage>(new PlacePage));
+    if (members.count() != 0) node_size_ = size_of_nodes(members, members.count());
+    node_size_count_ = members.count();
+    spent_.sorted_last = members.count();
+    spent_.saved = 0;
+    Shared<StateOf<Bound>> next = prepare();
+    write_blocks();
+    finish(*next);
+    upkeep_ = spent_;
+    return next;
+  }
+
+  [[nodiscard]] bool has_layers() const noexcept { return layers_ || old().has_layers; }
+  [[nodiscard]] std::size_t pages() const noexcept {
+    return (index_end_ + LeafBlocks::page_size - 1) / LeafBlocks::page_size;
+  }
+
+  static void add(Members<Bound>& members, const Change<Bound>& change) noexcept {
+    members.add(change.bound, change.index, change.layers);
+  }
+  void add_stayers(Members<Bound>& members, std::size_t block, const std::uint64_t* gone) const noexcept {
+    const LeafBlock<Bound>& from = *old().blocks[block];
+    std::uint64_t stay[block_words];
+    for (std::size_t w = 0; w != block_words; ++w) stay[w] = from.taken[w] & ~gone[w];
+    members.add(from, stay);
+  }
+
+  void sort_groups() {
+    refresh_node_size();
+    sorted_.resize(plan_.groups().size());
+    const BlockSorting how{
+        .node_size = node_size_, .has_layers = has_layers(), .keeps_large_apart = plan_.count() > sorted_in_block};
+    parallel_for(sorted_.size(), 1, [&](std::size_t g, std::size_t) {
+      const SortedGroup& group = plan_.groups()[g];
+      std::size_t most = group.arrivals.size();
+      for (const std::uint32_t b : group.blocks) most += plan_.count_after(b);
+      if (most == 0) return;
+      Members<Bound> members(most);
+      for (const std::uint32_t b : group.blocks) {
+        std::uint64_t gone[block_words] = {};
+        for (const BlockStep& step : plan_.steps_of(b)) {
+          if (step.kind != BlockStep::insert) gone[step.leaf / fanout] |= std::uint64_t{1} << step.leaf % fanout;
+        }
+        add_stayers(members, b, gone);
+        for (const BlockStep& step : plan_.steps_of(b)) {
+          if (step.kind != BlockStep::erase) add(members, changes_[step.change]);
+        }
+      }
+      for (const std::uint32_t c : group.arrivals) add(members, changes_[c]);
+      sorted_[g] = sorted_blocks(members, how, kernels_);
+      for (const Shared<LeafBlock<Bound>>& block : sorted_[g]) block->is_apart = group.are_apart;
+    });
+  }
+
+  /// The usual size of a node follows the number of bounds.
+  void refresh_node_size() {
+    node_size_ = old().node_size;
+    node_size_count_ = old().node_size_count;
+    if (plan_.groups().empty()) return;
+    spent_.sorted_since_size += spent_.sorted_last;
+    const bool is_old = spent_.sorted_since_size > plan_.count() || plan_.count() >= 2 * node_size_count_ ||
+                        2 * plan_.count() <= node_size_count_;
+    if (!is_old) return;
+    constexpr std::size_t most = 1024;
+    const std::size_t apart = old().count / most + 1;
+    Members<Bound> sample(old().count / apart + 1);
+    std::size_t i = 0;
+    for (const Shared<LeafBlock<Bound>>& block : old().blocks) {
+      for (std::size_t leaf = 0; leaf != block_leaves; ++leaf) {
+        if ((block->taken[leaf / fanout] >> leaf % fanout & 1) == 0 || i++ % apart != 0) continue;
+        float bound[rows_of<Bound>];
+        block->read(leaf, bound);
+        sample.add(bound, 0, 0);
+      }
+    }
+    if (sample.count() == 0) return;
+    node_size_ = size_of_nodes(sample, plan_.count());
+    node_size_count_ = plan_.count();
+    spent_.sorted_since_size = 0;
+  }
+
+  [[nodiscard]] static float size_of_nodes(const Members<Bound>& sample, std::size_t count) {
+    return node_size_of<Bound>(RecordSource<Bound>(records_in<Bound>(sample.records(), sample.count())), count);
+  }
+
+  /// Lists the blocks of the next state.
+  void plan_table() {
+    table_.reserve(blocks());
+    std::vector<std::uint32_t> free;  // numbers
+    for (std::size_t b = 0; b != blocks(); ++b) {
+      if (plan_.is_sorted_again(b)) {
+        free.push_back(old().number_of[b]);
+      } else {
+        table_.push_back({old().number_of[b], static_cast<std::uint32_t>(b), {}});
+      }
+    }
+    numbers_ = std::max<std::size_t>(old().position_of.size(), number_of_nothing + 1);
+    for (std::size_t n = 1; n < numbers_; ++n) {
+      if (old().position_of[n] == nowhere) free.push_back(static_cast<std::uint32_t>(n));
+    }
+    std::sort(free.begin(), free.end(), std::greater<>());
+    for (Blocks<Bound>& blocks_of_group : sorted_) {
+      for (Shared<LeafBlock<Bound>>& block : blocks_of_group) {
+        std::uint32_t number = static_cast<std::uint32_t>(numbers_);
+        if (free.empty()) {
+          ++numbers_;
+        } else {
+          number = free.back();
+          free.pop_back();
+        }
+        table_.push_back({number, nowhere, std::move(block)});
+      }
+    }
+    if (!plan_.groups().empty()) {
+      Blocks<Bound> all;
+      for (const Place& place : table_) all.push_back(place.is_new() ? place.block : old().blocks[place.from]);
+      order_table(BlockBoxes(all));
+    }
+    // What is written is not shared with another state, and has layers if there are any.
+    const bool adds_layers = has_layers() && !old().has_layers;
+    for (Place& place : table_) {
+      if (place.is_new() || (plan_.steps_of(place.from).empty() && !adds_layers)) continue;
+      const Shared<LeafBlock<Bound>>& block = old().blocks[place.from];
+      if (in_place_ && block.is_only() && !adds_layers) continue;
+      place.block = Shared<LeafBlock<Bound>>(new LeafBlock<Bound>(*block, has_layers()));
+    }
+  }
+
+  /// Puts blocks that are near each other side by side, so that the nodes above them are small.
+  void order_table(const BlockBoxes& boxes) {
+    if (table_.size() <= top_words * fanout) return;
+    const TreeParts<Box> order = build<Box>(ViewSource<Box>(boxes.view()));
+    std::vector<Place> ordered;
+    ordered.reserve(table_.size());
+    for (const std::uint32_t b : order.order) ordered.push_back(std::move(table_[b]));
+    table_ = std::move(ordered);
+  }
+
+  /// Gets the memory of the next state. After that, nothing throws.
+  Shared<StateOf<Bound>> prepare() {
+    Shared<StateOf<Bound>> next = in_place_ ? old_ : Shared<StateOf<Bound>>(new StateOf<Bound>);
+    const bool adds_layers = has_layers() && !old().has_layers;
+    is_same_table_ = in_place_ && plan_.groups().empty() && !adds_layers && !old().row.empty();
+    if (pages_.empty()) {
+      pages_.reserve(pages());
+      for (std::size_t i = 0; i != pages(); ++i) {
+        if (i >= old().pages.size()) {
+          pages_.push_back(Shared<PlacePage>(new PlacePage));
+        } else if (in_place_ && !old().pages[i].is_only()) {
+          pages_.push_back(Shared<PlacePage>(new PlacePage(*old().pages[i])));
+        } else {
+          pages_.push_back(old().pages[i]);
+        }
+      }
+    }
+    is_written_.assign(table_.size(), 0);
+    if (!in_place_) copy_shared_pages();
+    places_.resize(pages());
+    page_.resize(pages());
+    for (std::size_t i = 0; i != pages(); ++i) places_[i] = page_[i] = pages_[i]->place;
+    if (is_same_table_) return next;
+
+    const std::size_t nodes = lay_out_levels(levels_, table_.size() * block_leaves);
+    levels_.nodes = BoxStream(nodes);
+    levels_.gaps = {nodes / 64, ~std::uint64_t{0}};
+    if (has_layers()) levels_.layers.nodes = {nodes, 0U};
+    blocks_.reserve(table_.size());
+    number_of_.reserve(table_.size());
+    size_of_.reserve(table_.size());
+    row_.resize((table_.size() + 1) * rows_of<Bound>);
+    taken_.resize(table_.size() + 1);
+    order_.resize(table_.size() + 1);
+    if (has_layers()) layer_rows_.resize(table_.size() + 1);
+    position_of_.assign(numbers_, nowhere);
+    return next;
+  }
+
+  /// Of pages that another state shares, copies those whose places change. Bounds of words that are split may have
+  /// theirs on any page.
+  void copy_shared_pages() {
+    std::vector<bool> changes(pages());
+    bool any_splits = !plan_.groups().empty();
+    for (const BlockStep& step : plan_.steps()) {
+      changes[changes_[step.change].index / LeafBlocks::page_size] = true;
+      any_splits = any_splits || step.kind == BlockStep::insert;
+    }
+    for (std::size_t i = 0; i != pages(); ++i) {
+      if ((!changes[i] && !any_splits) || pages_[i].is_only()) continue;
+      pages_[i] = Shared<PlacePage>(new PlacePage(*pages_[i]));
+    }
+  }
+
+  [[nodiscard]] LeafBlock<Bound>& block_at(std::size_t p) const noexcept {
+    return table_[p].block ? *table_[p].block : *old().blocks[table_[p].from];
+  }
+
+  /// Makes the changes of all blocks that stay.
+  void write_blocks() noexcept {
+    for (const SortedGroup& group : plan_.groups()) {
+      for (const std::uint32_t b : group.blocks) clear_places(plan_.steps_of(b));
+    }
+    const auto write = [&](std::size_t p, std::size_t) {
+      if (is_written_[p] != 0) return;
+      write_block(p);
+      is_written_[p] = 1;
+    };
+    if (plan_.steps().size() < few_steps && plan_.groups().empty() && table_.size() == blocks()) {
+      for (std::size_t p = 0; p != table_.size(); ++p) write(p, 0);
+      return;
+    }
+#if defined(__cpp_exceptions)
+    try {
+      parallel_for(table_.size(), 1, write);
+    } catch (...) {  // oneTBB could not start its tasks: this thread does what they have left
+      for (std::size_t p = 0; p != table_.size(); ++p) write(p, 0);
+    }
+#else
+    parallel_for(table_.size(), 1, write);
+#endif
+  }
+  void write_block(std::size_t p) noexcept {
+    const PlaceWriter places(page_.data(), table_[p].number);
+    if (table_[p].is_new()) return write_places(*table_[p].block, places);
+    const std::span<const BlockStep> steps = plan_.steps_of(table_[p].from);
+    if (steps.empty()) return;
+    BlockChanges<Bound> block(block_at(p), places, kernels_);
+    for (const BlockStep& step : steps) {
+      if (step.kind == BlockStep::erase) block.erase(step.leaf, changes_[step.change]);
+    }
+    for (std::size_t i = 0; i != steps.size(); ++i) {
+      prefetch_change(steps, i);
+      if (steps[i].kind == BlockStep::move) block.move(steps[i].leaf, changes_[steps[i].change]);
+    }
+    for (const BlockStep& step : steps) {
+      if (step.kind == BlockStep::insert) block.insert(changes_[step.change]);
+    }
+    block.finish();
+  }
+
+  /// Of bounds that are erased.
+  void clear_places(std::span<const BlockStep> steps) const noexcept {
+    for (const BlockStep& step : steps) {
+      const Change<Bound>& change = changes_[step.change];
+      if (!change.has_bound) PlaceWriter(page_.data(), 0).clear(change.index);
+    }
+  }
+  /// Changes of a block are all over memory.
+  SHAFTCULL_ALWAYS_INLINE void prefetch_change(std::span<const BlockStep> steps, std::size_t i) const noexcept {
+    constexpr std::size_t prefetched = 16;
+    if (i + prefetched >= steps.size()) return;
+    const Change<Bound>& soon = changes_[steps[i + prefetched].change];
+    prefetch_to_second_level(&soon.index, 1);
+    prefetch_to_second_level(&soon.bound[rows_of<Bound> - 1], 1);  // may be in the next cache line
+  }
+  static void write_places(const LeafBlock<Bound>& block, const PlaceWriter& places) noexcept {
+    for (std::size_t w = 0; w != block_words; ++w) {
+      for (std::uint64_t left = block.taken[w]; left != 0; left &= left - 1) {
+        const std::size_t leaf = w * fanout + static_cast<std::size_t>(std::countr_zero(left));
+        places.set(block.order()[leaf], leaf);
+      }
+    }
+  }
+
+  /// Puts the next state together.
+  void finish(DynamicState<Bound>& next) noexcept {
+    std::swap(next.pages, pages_);
+    std::swap(next.place, places_);
+    next.index_end = index_end_;
+    next.count = plan_.count();
+    next.node_size = node_size_;
+    next.node_size_count = node_size_count_;
+    next.has_layers = has_layers();
+    if (is_same_table_) {
+      for (std::size_t p = 0; p != table_.size(); ++p) {
+        if (table_[p].block) {
+          next.blocks[p] = std::move(table_[p].block);
+          set_pointers(next.row, next.taken, next.order, next.layers, p, *next.blocks[p]);
+        }
+        if (plan_.steps_of(table_[p].from).empty()) continue;
+        next.size_of[p] = size_of(*next.blocks[p]);
+        copy_nodes(next.parts, p, *next.blocks[p]);
+        if (next.parts.levels > 2) fit_node_word(next.parts, kernels_, 2, p);
+      }
+    } else {
+      for (std::size_t p = 0; p != table_.size(); ++p) {
+        blocks_.push_back(table_[p].block ? table_[p].block : old().blocks[table_[p].from]);
+        number_of_.push_back(table_[p].number);
+        size_of_.push_back(size_of(*blocks_[p]));
+        position_of_[table_[p].number] = static_cast<std::uint32_t>(p);
+        set_pointers(row_, taken_, order_, layer_rows_, p, *blocks_[p]);
+        copy_nodes(levels_, p, *blocks_[p]);
+      }
+      position_of_[number_of_nothing] = static_cast<std::uint32_t>(table_.size());
+      set_nothing(row_, taken_, order_, layer_rows_, table_.size());
+      std::swap(next.blocks, blocks_);
+      std::swap(next.number_of, number_of_);
+      std::swap(next.size_of, size_of_);
+      std::swap(next.row, row_);
+      std::swap(next.taken, taken_);
+      std::swap(next.order, order_);
+      std::swap(next.layers, layer_rows_);
+      std::swap(next.position_of, position_of_);
+      static_cast<TreeLevels<Bound>&>(next.parts) = std::move(levels_);
+    }
+    next.parts.blocks = {next.row.data(),   next.taken.data(),
+                         next.order.data(), next.has_layers ? next.layers.data() : nullptr,
+                         next.place.data(), next.position_of.data()};
+    next.parts.layers.blocks = next.parts.blocks.layers;
+    next.parts.layers.is_any_in_none = true;
+    next.parts.layers.of_any = next.has_layers ? 0 : ~std::uint32_t{0};
+    next.parts.layers.of_all = next.has_layers ? 0 : ~std::uint32_t{0};
+    fit_above_blocks(next.parts);
+    if (next.has_layers) fit_upper_layers(next.parts);
+  }
+
+  static void set_pointers(std::vector<const float*>& row, std::vector<const std::uint64_t*>& taken,
+                           std::vector<const std::uint32_t*>& order, std::vector<const std::uint32_t*>& layers,
+                           std::size_t p, const LeafBlock<Bound>& block) noexcept {
+    for (std::size_t r = 0; r != rows_of<Bound>; ++r) row[p * rows_of<Bound> + r] = block.row(r);
+    taken[p] = block.taken;
+    order[p] = block.order();
+    if (!layers.empty()) layers[p] = block.layers();
+  }
+  static void set_nothing(std::vector<const float*>& row, std::vector<const std::uint64_t*>& taken,
+                          std::vector<const std::uint32_t*>& order, std::vector<const std::uint32_t*>& layers,
+                          std::size_t p) noexcept {
+    static constexpr std::uint32_t zero = 0;
+    static constexpr std::uint64_t no_bits = 0;
+    for (std::size_t r = 0; r != rows_of<Bound>; ++r) row[p * rows_of<Bound> + r] = padding_of<Bound>() + r;
+    taken[p] = &no_bits;
+    order[p] = &zero;
+    if (!layers.empty()) layers[p] = &zero;
+  }
+
+  static void copy_nodes(TreeLevels<Bound>& parts, std::size_t p, const LeafBlock<Bound>& block) noexcept {
+    const auto row = parts.node_rows(1, p * block_words);
+    for (std::size_t f = 0; f != 6; ++f) std::copy_n(block.node[f], block_words, row[f]);
+    parts.gap_words(1)[p] = block.gaps;
+    if (block.layers() != nullptr) {
+      std::copy_n(block.word_layers, block_words, parts.layers.nodes.data() + parts.level[1].first + p * block_words);
+    }
+  }
+  [[nodiscard]] static BlockSize size_of(const LeafBlock<Bound>& block) noexcept {
+    return {static_cast<std::uint32_t>(block.count),
+            static_cast<std::uint32_t>(block.count_when_sorted),
+            static_cast<float>(block.growth()),
+            static_cast<std::uint32_t>(block.changed),
+            block.is_large,
+            block.is_apart};
+  }
+  /// Fits nodes of blocks, unless only those of blocks that were written to have changed, and those above.
+  void fit_above_blocks(TreeLevels<Bound>& parts) const noexcept {
+    if (!is_same_table_) return fit_upper(parts, kernels_);
+    for (std::size_t k = 3; k < parts.levels; ++k) {
+      for (std::size_t i = 0; i != parts.level[k].entries; ++i) fit_node_word(parts, kernels_, k, i);
+    }
+  }
+  static void fit_upper_layers(TreeLevels<Bound>& parts) noexcept {
+    for (std::size_t k = 2; k < parts.levels; ++k) {
+      const std::uint32_t* const below = parts.layers.nodes.data() + parts.level[k - 1].first;
+      std::uint32_t* const here = parts.layers.nodes.data() + parts.level[k].first;
+      for (std::size_t i = 0; i != parts.level[k].entries; ++i) {
+        here[i] = 0;
+        for (std::size_t j = 0; j != fanout; ++j) here[i] |= below[i * fanout + j];
+      }
+    }
+  }
+
+  const Shared<StateOf<Bound>>& old_;
+  bool in_place_;
+  std::span<const Change<Bound>> changes_;
+  std::size_t index_end_;
+  bool layers_;
+  bool everything_;
+  Upkeep& upkeep_;
+  Upkeep spent_;
+  const Kernels& kernels_;
+
+  CommitPlan<Bound> plan_;
+  std::vector<Blocks<Bound>> sorted_;  ///< of each group
+  float node_size_ = 0;
+  std::size_t node_size_count_ = 0;
+
+  std::vector<Place> table_;
+  std::size_t numbers_ = 0;
+  bool is_same_table_ = false;
+  std::vector<std::uint8_t> is_written_;
+
+  // What the next state gets.
+  TreeLevels<Bound> levels_;
+  Blocks<Bound> blocks_;
+  std::vector<std::uint32_t> number_of_;
+  std::vector<BlockSize> size_of_;
+  std::vector<Shared<PlacePage>> pages_;
+  std::vector<const std::uint32_t*> places_;
+  std::vector<std::uint32_t*> page_;  ///< the same, to be written
+  std::vector<const float*> row_;
+  std::vector<const std::uint64_t*> taken_;
+  std::vector<const std::uint32_t*> order_;
+  std::vector<const std::uint32_t*> layer_rows_;
+  std::vector<std::uint32_t> position_of_;
+};
+
+}  // namespace
+
+template <class Bound>
+Shared<StateOf<Bound>> empty_state() {
+  const Shared<StateOf<Bound>> nothing(new StateOf<Bound>);
+  Upkeep upkeep;
+  return Commit<Bound>(nothing, {}, 0, false, false, upkeep).run();
+}
+
+template <class Bound>
+Shared<StateOf<Bound>> committed(const Shared<StateOf<Bound>>& old, std::span<const Change<Bound>> changes,
+                                 std::size_t index_end, bool layers, bool everything, Upkeep& upkeep) {
+  return Commit<Bound>(old, changes, index_end, layers, everything, upkeep).run();
+}
+
+#define SHAFTCULL_COMMIT(Bound)                                                                            \
+  template Shared<StateOf<Bound>> empty_state<Bound>();                                                    \
+  template Shared<StateOf<Bound>> committed(const Shared<StateOf<Bound>>&, std::span<const Change<Bound>>, \
+                                            std::size_t, bool, bool, Upkeep&);
+SHAFTCULL_COMMIT(Box)
+SHAFTCULL_COMMIT(Sphere)
+#undef SHAFTCULL_COMMIT
+
+}  // namespace shaftcull::kernel

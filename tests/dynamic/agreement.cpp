@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+/// Dynamic trees answer as plain arrays that are given the same changes, whatever these are.
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "dynamic/world.hpp"
+#include "float_modes.hpp"
+#include "many/workload.hpp"
+#include "sanitizers.hpp"
+
+namespace shaftcull {
+namespace {
+
+template <class Bound>
+class DynamicTrees : public testing::Test {};
+TYPED_TEST_SUITE(DynamicTrees, DynamicKinds);
+
+TYPED_TEST(DynamicTrees, AnswerAsAnArrayDoesInEveryShape) {
+  for (const Shape shape : shapes) {
+    SCOPED_TRACE(text(shape));
+    World<TypeParam> world(200 + static_cast<std::uint64_t>(shape));
+    for (unsigned commit = 0; commit != random_cases(12); ++commit) {
+      world.change({.shape = shape, .count = 1U << world.random().below(11), .layers = commit > 5});
+      world.tree.commit();
+      expect_equal(world.tree.committed(), world.model, world.random());
+      if (testing::Test::HasFailure()) return;
+    }
+  }
+}
+
+// Of several blocks: those are sorted again, split, emptied, and made anew.
+TYPED_TEST(DynamicTrees, AnswerAsAnArrayDoesWhereTheyHaveManyBlocks) {
+  for (std::uint64_t seed = 1; seed <= random_cases(8); ++seed) {
+    SCOPED_TRACE(seed);
+    World<TypeParam> world(seed);
+    world.change({.shape = Shape::wild_sizes, .count = 3000, .insertions = 10, .layers = seed % 2 == 0});
+    world.tree.commit();
+    for (unsigned commit = 0; commit != 12; ++commit) {
+      const Shape shape = shapes[world.random().below(std::size(shapes))];
+      const bool grows = commit < 7;
+      world.change({shape, 2000U + world.random().below(4000), grows ? 8U : 1U, seed % 2 == 0});
+      world.tree.commit();
+      if (commit % 3 != 2) continue;
+      expect_equal(world.tree.committed(), world.model, world.random());
+      if (testing::Test::HasFailure()) return;
+    }
+  }
+}
+
+TYPED_TEST(DynamicTrees, SnapshotsStayAsTheyAre) {
+  World<TypeParam> world(5);
+  std::vector<std::pair<TreeSnapshot<TypeParam>, Model<TypeParam>>> before;
+  for (unsigned commit = 0; commit != 24; ++commit) {
+    world.change({.count = 400, .insertions = commit < 12 ? 7U : 3U, .layers = commit > 8});
+    world.tree.commit();
+    if (commit % 3 == 0) before.emplace_back(world.tree.snapshot(), world.model);
+    if (commit % 7 == 6) before.erase(before.begin());
+  }
+  EXPECT_GT(before.size(), 3U);
+  for (const auto& [snapshot, model] : before) expect_equal(snapshot, model, world.random());
+  expect_equal(world.tree.committed(), world.model, world.random());
+  world.tree = DynamicTree<TypeParam>();
+  for (const auto& [snapshot, model] : before) expect_equal(snapshot, model, world.random());
+}
+
+TYPED_TEST(DynamicTrees, ChangesAreSeenAfterTheCommitAndNotBefore) {
+  World<TypeParam> world(6);
+  world.change({.count = 500});
+  world.tree.commit();
+  const Model<TypeParam> committed = world.model;
+  world.change({.count = 500});
+  expect_equal(world.tree.committed(), committed, world.random());
+  world.tree.commit();
+  expect_equal(world.tree.committed(), world.model, world.random());
+}
+
+// Erased and inserted, moved and erased, erased twice over in one frame.
+TYPED_TEST(DynamicTrees, OneFrameMayChangeABoundManyTimes) {
+  World<TypeParam> world(7);
+  world.change({.count = 100, .insertions = 10});
+  world.tree.commit();
+  for (int frame = 0; frame != 20; ++frame) {
+    world.change({.count = 2000, .layers = frame > 10});
+    world.tree.commit();
+    expect_equal(world.tree.committed(), world.model, world.random());
+  }
+}
+
+TYPED_TEST(DynamicTrees, NothingIsATreeToo) {
+  World<TypeParam> world(8);
+  const TreeSnapshot<TypeParam> none;
+  expect_equal(none, world.model, world.random());
+  expect_equal(world.tree.committed(), world.model, world.random());
+  world.tree.commit();
+  expect_equal(world.tree.committed(), world.model, world.random());
+  EXPECT_EQ(none.box(), empty_box);
+  world.change({.count = 5000, .insertions = 10});
+  world.tree.commit();
+  for (std::uint32_t i = 0; i != world.model.bounds.size(); ++i) {
+    world.tree.erase(world.model.ids[i]);
+    world.model.erase(i);
+  }
+  world.tree.commit();
+  expect_equal(world.tree.committed(), world.model, world.random());
+  EXPECT_EQ(world.tree.committed().box(), empty_box);
+  world.change({.count = 100});
+  world.tree.commit();
+  expect_equal(world.tree.committed(), world.model, world.random());
+}
+
+TYPED_TEST(DynamicTrees, TheBoxIsAroundAllBounds) {
+  World<TypeParam> world(9);
+  for (int frame = 0; frame != 10; ++frame) {
+    world.change({.count = 2000, .insertions = 6});
+    world.tree.commit();
+    std::vector<TypeParam> bounds;
+    for (std::uint32_t i = 0; i != world.model.bounds.size(); ++i) {
+      if (world.model.has_bound[i] != 0) bounds.push_back(world.model.bounds[i]);
+    }
+    const BoundsTree<TypeParam> fresh{std::span<const TypeParam>(bounds)};
+    EXPECT_EQ(world.tree.committed().box(), fresh.box());
+  }
+}
+
+TYPED_TEST(DynamicTrees, RebuildingSortsEverythingAndCommits) {
+  World<TypeParam> world(11);
+  world.tree.rebuild();
+  for (int frame = 0; frame != 6; ++frame) {
+    world.change({.shape = Shape::wild_sizes, .count = 3000, .insertions = 6, .layers = frame > 2});
+    const TreeSnapshot<TypeParam> before = world.tree.snapshot();
+    const std::size_t count = before.count();
+    world.tree.rebuild();
+    EXPECT_EQ(world.tree.upkeep().sorted_last, world.model.count());
+    EXPECT_EQ(world.tree.upkeep().growth, 1);
+    expect_equal(world.tree.committed(), world.model, world.random());
+    EXPECT_EQ(before.count(), count);
+  }
+}
+
+TYPED_TEST(DynamicTrees, WhatWasMovedFromIsAnEmptyTree) {
+  World<TypeParam> world(12);
+  world.change({.count = 300, .insertions = 8});
+  world.tree.commit();
+  DynamicTree<TypeParam> moved = std::move(world.tree);
+  expect_equal(moved.committed(), world.model, world.random());
+  DynamicTree<TypeParam>& empty = world.tree;
+  EXPECT_EQ(empty.count(), 0U);
+  EXPECT_EQ(empty.memory_bytes(), 0U);
+  EXPECT_EQ(empty.upkeep().blocks, 0U);
+  EXPECT_EQ(empty.snapshot().count(), 0U);
+  EXPECT_EQ(empty.committed().index_end(), 0U);
+  EXPECT_FALSE(empty.has({0, 0}));
+  EXPECT_EQ(empty.id_of(0), BoundId{});
+  EXPECT_THROW((void)empty[BoundId{}], InvalidArgument);
+  EXPECT_THROW(empty.erase({0, 0}), InvalidArgument);
+  empty.commit();
+  empty.rebuild();
+  empty.set_upkeep(1);
+  world.model = {};
+  world.change({.count = 300, .insertions = 8});
+  empty.commit();
+  expect_equal(empty.committed(), world.model, world.random());
+}
+
+/// The order of lists, and so the tree itself, after the same changes.
+template <class Bound>
+Indices order_after_changes(int threads, bool holds_snapshots) {
+  Indices all;
+  with_threads(threads, [&] {
+    World<Bound> world(10);
+    std::vector<TreeSnapshot<Bound>> held;
+    for (int frame = 0; frame != 12; ++frame) {
+      world.change({.shape = Shape::wild_sizes, .count = 3000, .insertions = frame < 6 ? 9U : 3U});
+      world.tree.commit();
+      if (holds_snapshots) held.push_back(world.tree.snapshot());
+    }
+    const CompiledShaft shaft = compile({{-50, -50, -50}, {-50, 50, 50}}, {{50, -50, -50}, {50, 50, 50}});
+    list(shaft, world.tree, all);
+  });
+  return all;
+}
+
+#ifdef SHAFTCULL_HAS_FLOAT_MODES
+TYPED_TEST(DynamicTrees, AreTheSameInEveryFloatingPointMode) {
+  const Indices expected = order_after_changes<TypeParam>(1, false);
+  for (const Mode& mode : modes) {
+    const InMode in(mode);
+    EXPECT_EQ(order_after_changes<TypeParam>(1, false) == expected, true) << mode.name;
+  }
+}
+#endif
+
+TYPED_TEST(DynamicTrees, ListsDependOnTheCallsAlone) {
+  const Indices expected = order_after_changes<TypeParam>(1, false);
+  EXPECT_GT(expected.size(), 10000U);
+  EXPECT_EQ(order_after_changes<TypeParam>(4, false), expected);
+  EXPECT_EQ(order_after_changes<TypeParam>(2, true), expected);
+}
+
+}  // namespace
+}  // namespace shaftcull
