@@ -3,7 +3,8 @@
 /// (cull.hpp).
 ///
 /// The sizes alone, never the number of threads, determine the tasks, the results and their order. Calls run on oneTBB
-/// inside the caller's task_arena (in a build without oneTBB, serially), and are safe to make from many threads.
+/// inside the caller's task_arena (in a build without oneTBB, serially), or on the caller's own threads
+/// (executor.hpp). They are safe to make from many threads.
 ///
 /// All parallel calls of the library, including those of trees and visibility, may be made from within the caller's
 /// tasks. Each call has its own task_group_context: it completes even if the caller's group is cancelled, and

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "parallel/parallel.hpp"
 
+#include <algorithm>
+#include <limits>
+
+#include "parallel/executor.hpp"
 #include "shaftcull/many.hpp"
 #include "support/float_environment.hpp"
 
@@ -26,6 +30,14 @@
 #endif
 
 namespace shaftcull::kernel {
+namespace {
+
+int threads_of(const Executor& executor) noexcept {
+  constexpr auto most = static_cast<std::size_t>(std::numeric_limits<int>::max());
+  return static_cast<int>(std::clamp<std::size_t>(executor.threads(), 1, most));
+}
+
+}  // namespace
 
 #if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
 
@@ -63,17 +75,25 @@ void run_loop(std::size_t rows, std::size_t columns, Body body, How&... how) {
 
 }  // namespace
 
-int threads_here() noexcept { return tbb::this_task_arena::max_concurrency(); }
+int threads_here() noexcept {
+  if (const Executor* const executor = executor_in_use()) return threads_of(*executor);
+  return tbb::this_task_arena::max_concurrency();
+}
 
 void parallel_for(std::size_t rows, std::size_t columns, Body body) {
   if (rows == 1 && columns == 1) return in_float_environment([&] { body(0, 0); });
   if (rows == 0 || columns == 0) return;
+  if (Executor* const executor = executor_in_use()) return run_on(*executor, rows, columns, body);
   apart_from_caller([&](tbb::task_group_context& context) { run_loop(rows, columns, body, context); });
 }
 
-void parallel_for_nested(std::size_t rows, std::size_t columns, Body body) { run_loop(rows, columns, body); }
+void parallel_for_nested(std::size_t rows, std::size_t columns, Body body) {
+  if (Executor* const executor = executor_in_use()) return run_on(*executor, rows, columns, body);
+  run_loop(rows, columns, body);
+}
 
 void ordered_pipeline(std::size_t count, std::size_t slots, Body work, Body deliver) {
+  if (Executor* const executor = executor_in_use()) return run_in_order_on(*executor, count, slots, work, deliver);
   HappensBefore started;
   HappensBefore finished;
   HappensBefore entered;
@@ -120,9 +140,13 @@ void ordered_pipeline(std::size_t count, std::size_t slots, Body work, Body deli
 
 #else
 
-int threads_here() noexcept { return 1; }
+int threads_here() noexcept {
+  const Executor* const executor = executor_in_use();
+  return executor == nullptr ? 1 : threads_of(*executor);
+}
 
 void parallel_for(std::size_t rows, std::size_t columns, FunctionRef<void(std::size_t, std::size_t)> body) {
+  if (Executor* const executor = executor_in_use()) return run_on(*executor, rows, columns, body);
   in_float_environment([&] {
     for (std::size_t row = 0; row != rows; ++row) {
       for (std::size_t column = 0; column != columns; ++column) body(row, column);
@@ -136,6 +160,7 @@ void parallel_for_nested(std::size_t rows, std::size_t columns, FunctionRef<void
 
 void ordered_pipeline(std::size_t count, std::size_t slots, FunctionRef<void(std::size_t, std::size_t)> work,
                       FunctionRef<void(std::size_t, std::size_t)> deliver) {
+  if (Executor* const executor = executor_in_use()) return run_in_order_on(*executor, count, slots, work, deliver);
   for (std::size_t i = 0; i != count; ++i) {
     in_float_environment([&] { work(i, i % slots); });
     deliver(i, i % slots);

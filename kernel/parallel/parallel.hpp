@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Parallel loops and pipelines. Only parallel.cpp knows oneTBB, which SHAFTCULL_WITH_TBB turns on.
+/// Parallel loops and pipelines. Only parallel.cpp knows oneTBB, which SHAFTCULL_WITH_TBB turns on. If the caller has
+/// set an executor, all runs on that (executor.hpp).
 ///
 /// Everything runs inside the caller's task_arena, and exceptions reach the caller. A loop or pipeline that a public
 /// call starts is apart from the caller's own tasks in both directions:

@@ -8,6 +8,12 @@ shaftcull_test(many EVERY_ISA
   many/set_bits.cpp
   many/sizes.cpp)
 
+# On threads of the caller's.
+if(NOT shaftcull_wasm)
+  shaftcull_test(executor
+    many/executor.cpp)
+endif()
+
 # Whether ThreadSanitizer would notice a race among those of `many`.
 if(SHAFTCULL_WITH_TBB AND CMAKE_CXX_FLAGS MATCHES "-fsanitize=thread")
   # Without it nothing in cmake/tsan.suppressions has a name to match.
