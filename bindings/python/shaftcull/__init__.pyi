@@ -663,6 +663,71 @@ class BoxTree(Boxes):
     def memory_bytes(self) -> int:
         """Bytes of memory that it holds: int."""
 
+class BoxTreeSnapshot(Boxes):
+    """The boxes of a DynamicBoxTree at one commit(), whatever becomes of the tree: what DynamicBoxTree.snapshot()
+    returns. len() is above all indices.
+    """
+    @property
+    def count(self) -> int:
+        """The number of bounds: int."""
+    @property
+    def box(self) -> npt.NDArray[np.float32]:
+        """float32 (6,): the box around all bounds."""
+
+class DynamicBoxTree(Boxes):
+    """A tree of boxes that are inserted, erased and moved. Changes are made by ids, and queries see them after
+    commit(). An id never means another bound, even when its index is used again. Answers equal those of a
+    BoxStream.
+
+        tree = shaftcull.DynamicBoxTree()
+        ids = tree.insert(boxes)
+        tree.commit()
+        kept = tree.list(a, b)                   # indices: ids & 0xffffffff
+
+    One thread at a time may change the tree. Others query what snapshot() returns, also during a commit().
+    len() is above all indices: cull() and exclude_mask have that many bounds, and those of an index without a
+    bound are False. ValueError for an id of no bound, BadBound for NaN and lo > hi; lo = infinity and hi = -infinity is the empty box.
+    """
+    def __init__(self) -> None: ...
+    def insert(self, boxes: _Floats, layers: _Integers | None = None, rounding: _Rounding | None = None) -> int | npt.NDArray[np.int64]:
+        """Inserts boxes, which are as those of the tree without changes, and returns their
+        ids: int64 (n,), or an int for one. ids & 0xffffffff are indices, as queries return them.
+
+        layers: integers from 0 to 2**32 - 1, one or (n,): the layers of each; all layers if not given.
+        """
+    def erase(self, ids: _Integers) -> None:
+        """Erases bounds. ids: integers (k,), or one. ValueError for one that occurs twice."""
+    def move(self, ids: _Integers, boxes: _Floats, rounding: _Rounding | None = None) -> None:
+        """Gives bounds new values: one for each id."""
+    def move_by(self, ids: _Integers, displacements: _Floats) -> None:
+        """Moves bounds by vectors: float32 (k, 3), or (3,) for one id."""
+    def commit(self) -> None:
+        """Makes all changes visible to queries. RuntimeError if another thread uses the tree."""
+    def rebuild(self) -> None: ...
+    def snapshot(self) -> BoxTreeSnapshot:
+        """The state of the last commit(), as a BoxTreeSnapshot."""
+    def values(self, ids: _Integers) -> npt.NDArray[np.float32]:
+        """The values of bounds, with all changes: float32, a row for each id, or a row for one."""
+    def __contains__(self, id: int) -> bool:
+        """Whether an id has a bound, with all changes."""
+    def ids_of(self, indices: _Integers) -> npt.NDArray[np.int64]:
+        """The ids that have these indices now: int64 (k,). -1 for an index without a bound."""
+    @property
+    def count(self) -> int:
+        """The number of bounds, with all changes: int."""
+    @property
+    def memory_bytes(self) -> int:
+        """Bytes of memory that it holds: int."""
+    def set_upkeep(self, sorted_per_change: float) -> None:
+        """How many bounds commits sort again, at most, for each change; 2 at first. More keep queries faster, and make
+        commits slower. ValueError for a negative or infinite number.
+        """
+    @property
+    def upkeep(self) -> dict[str, float]:
+        """dict of numbers after the last commit(): blocks; growth, of nodes since they were sorted, 1 at best; waiting,
+        bounds to be sorted again; sorted_last, bounds that the commit sorted.
+        """
+
 class Spheres(Bounds):
     """Spheres: a SphereView, a SphereStream or a SphereTree."""
     def first_contact(
@@ -790,6 +855,71 @@ class SphereTree(Spheres):
     @property
     def memory_bytes(self) -> int:
         """Bytes of memory that it holds: int."""
+
+class SphereTreeSnapshot(Spheres):
+    """The spheres of a DynamicSphereTree at one commit(), whatever becomes of the tree: what DynamicSphereTree.snapshot()
+    returns. len() is above all indices.
+    """
+    @property
+    def count(self) -> int:
+        """The number of bounds: int."""
+    @property
+    def box(self) -> npt.NDArray[np.float32]:
+        """float32 (6,): the box around all bounds."""
+
+class DynamicSphereTree(Spheres):
+    """A tree of spheres that are inserted, erased and moved. Changes are made by ids, and queries see them after
+    commit(). An id never means another bound, even when its index is used again. Answers equal those of a
+    SphereStream.
+
+        tree = shaftcull.DynamicSphereTree()
+        ids = tree.insert(spheres)
+        tree.commit()
+        kept = tree.list(a, b)                   # indices: ids & 0xffffffff
+
+    One thread at a time may change the tree. Others query what snapshot() returns, also during a commit().
+    len() is above all indices: cull() and exclude_mask have that many bounds, and those of an index without a
+    bound are False. ValueError for an id of no bound, BadBound for NaN, centres that are not finite, and radii below 0.
+    """
+    def __init__(self) -> None: ...
+    def insert(self, spheres: _Floats, layers: _Integers | None = None, rounding: _Rounding | None = None) -> int | npt.NDArray[np.int64]:
+        """Inserts spheres, which are as those of the tree without changes, and returns their
+        ids: int64 (n,), or an int for one. ids & 0xffffffff are indices, as queries return them.
+
+        layers: integers from 0 to 2**32 - 1, one or (n,): the layers of each; all layers if not given.
+        """
+    def erase(self, ids: _Integers) -> None:
+        """Erases bounds. ids: integers (k,), or one. ValueError for one that occurs twice."""
+    def move(self, ids: _Integers, spheres: _Floats, rounding: _Rounding | None = None) -> None:
+        """Gives bounds new values: one for each id."""
+    def move_by(self, ids: _Integers, displacements: _Floats) -> None:
+        """Moves bounds by vectors: float32 (k, 3), or (3,) for one id."""
+    def commit(self) -> None:
+        """Makes all changes visible to queries. RuntimeError if another thread uses the tree."""
+    def rebuild(self) -> None: ...
+    def snapshot(self) -> SphereTreeSnapshot:
+        """The state of the last commit(), as a SphereTreeSnapshot."""
+    def values(self, ids: _Integers) -> npt.NDArray[np.float32]:
+        """The values of bounds, with all changes: float32, a row for each id, or a row for one."""
+    def __contains__(self, id: int) -> bool:
+        """Whether an id has a bound, with all changes."""
+    def ids_of(self, indices: _Integers) -> npt.NDArray[np.int64]:
+        """The ids that have these indices now: int64 (k,). -1 for an index without a bound."""
+    @property
+    def count(self) -> int:
+        """The number of bounds, with all changes: int."""
+    @property
+    def memory_bytes(self) -> int:
+        """Bytes of memory that it holds: int."""
+    def set_upkeep(self, sorted_per_change: float) -> None:
+        """How many bounds commits sort again, at most, for each change; 2 at first. More keep queries faster, and make
+        commits slower. ValueError for a negative or infinite number.
+        """
+    @property
+    def upkeep(self) -> dict[str, float]:
+        """dict of numbers after the last commit(): blocks; growth, of nodes since they were sorted, 1 at best; waiting,
+        bounds to be sorted again; sorted_last, bounds that the commit sorted.
+        """
 
 class Triangles(Bounds):
     """Triangles: a TriangleView, a TriangleStream or a TriangleTree."""

@@ -11,6 +11,7 @@ PYBIND11_MODULE(_shaftcull, module) {
   add_shafts(module);
   add_bounds(module);
   add_holders(module);
+  add_dynamic(module);
   add_boxes(module);
   add_patches(module);
   add_visibility(module);

@@ -16,6 +16,7 @@ void add_volumes(py::class_<Shafts>& shafts);
 void add_hulls(py::module_& module);
 void add_bounds(py::module_& module);
 void add_holders(py::module_& module);
+void add_dynamic(py::module_& module);
 void add_boxes(py::module_& module);
 void add_patches(py::module_& module);
 void add_visibility(py::module_& module);
