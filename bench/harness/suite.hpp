@@ -117,6 +117,8 @@ void declare_roofline(Suite& suite, const Workload& workload);
 void declare_exact(Suite& suite, const Workload& workload);
 /// exact/touching/…: tests that floats cannot decide
 void declare_touching(Suite& suite, const Workload& workload);
+/// dynamic/…: bounds that come, go and move
+void declare_dynamic(Suite& suite, const Workload& workload);
 /// tree/…: bounds trees
 void declare_tree(Suite& suite, const Workload& workload);
 /// layers/…, tree/{list,count,any,at_most_10,first}/…: a part of what a tree would list

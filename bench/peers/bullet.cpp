@@ -9,6 +9,7 @@ namespace shaftcull::bench {
 namespace {
 
 btVector3 vector_of(const Vec3& v) { return {v[0], v[1], v[2]}; }
+btDbvtVolume volume_of(const Box& box) { return btDbvtVolume::FromMM(vector_of(box.lo), vector_of(box.hi)); }
 
 struct Collector final : btDbvt::ICollide {
   explicit Collector(std::vector<std::uint32_t>& list) : hits(list) {}
@@ -20,18 +21,33 @@ struct Collector final : btDbvt::ICollide {
 
 struct BulletTree::Tree {
   btDbvt boxes;
+  std::vector<btDbvtNode*> leaf_of;
   btAlignedObjectArray<const btDbvtNode*> stack;
+
+  btDbvtNode* insert(const Box& box, int index) {
+    btDbvtNode* const leaf = boxes.insert(volume_of(box), nullptr);
+    leaf->dataAsInt = index;
+    return leaf;
+  }
 };
 
 BulletTree::BulletTree(std::span<const Box> boxes) : tree_(std::make_unique<Tree>()) {
   for (std::size_t i = 0; i != boxes.size(); ++i) {
-    const btDbvtVolume volume = btDbvtVolume::FromMM(vector_of(boxes[i].lo), vector_of(boxes[i].hi));
-    btDbvtNode* const leaf = tree_->boxes.insert(volume, nullptr);
-    leaf->dataAsInt = static_cast<int>(i);
+    tree_->leaf_of.push_back(tree_->insert(boxes[i], static_cast<int>(i)));
   }
 }
 
 BulletTree::~BulletTree() = default;
+
+void BulletTree::replace(std::uint32_t index, const Box& box) {
+  tree_->boxes.remove(tree_->leaf_of[index]);
+  tree_->leaf_of[index] = tree_->insert(box, static_cast<int>(index));
+}
+void BulletTree::move(std::uint32_t index, const Box& box) {
+  btDbvtVolume volume = volume_of(box);
+  tree_->boxes.update(tree_->leaf_of[index], volume);
+}
+void BulletTree::end_frame() { tree_->boxes.optimizeIncremental(1); }
 
 void BulletTree::sweep(const Box& from, const Box& to, std::vector<std::uint32_t>& hits) {
   hits.clear();

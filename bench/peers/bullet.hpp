@@ -23,6 +23,13 @@ class BulletTree {
   /// boxes grown by half its size, as btDbvtBroadphase::rayTest() does.
   void sweep(const Box& from, const Box& to, std::vector<std::uint32_t>& hits);
 
+  /// Takes a box out and puts another in, as its broad phase does when a body is removed and one is added.
+  void replace(std::uint32_t index, const Box& box);
+  /// Moves a box.
+  void move(std::uint32_t index, const Box& box);
+  /// Improves the tree a little, as its broad phase does once a frame.
+  void end_frame();
+
  private:
   struct Tree;
   std::unique_ptr<Tree> tree_;
