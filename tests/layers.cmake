@@ -8,16 +8,16 @@
 # Regular expressions of whole names of entries.
 set(quick_tests
   # The library, against exact arithmetic and answers on record.
-  cull[.].* hull[.].* visibility[.].* view_factors solids formation interface streams isa
+  executor cull[.].* hull[.].* visibility[.].* view_factors solids formation interface streams isa
   "(same_bits|simd)[.].*"
-  "(many|many_tree|options|tree|tree_building|allocation)[.](scalar|${shaftcull_best_set})" calls[.]${shaftcull_best_set}
+  "(dynamic|many|many_tree|options|tree|tree_building|allocation)[.](scalar|${shaftcull_best_set})" calls[.]${shaftcull_best_set}
   # Its bindings and what its pages show.
-  "c[.](gcc|example|header|symbols|ten_minutes|sights)" "python[.](documents|questions|inputs|visibility|examples)" examples[.].* consumer
+  "c[.](gcc|example|header|symbols|ten_minutes|sights)" "python[.](documents|questions|inputs|visibility|dynamic|examples)" examples[.].* consumer
   # The sources and the build.
   architecture check_steps compilers dependencies documents "documents[.](figures|links|tuning)" fetches first_command headers "packages[.](licences|spdx)"
   symbols[.].* units)
 set(ci_tests
-  wide allocation.* calls[.]aarch64 many_tree[.].* tree[.].* tree_building[.].* out_of_memory tree_memory visibility_memory
+  wide allocation.* calls[.]aarch64 dynamic_threads many_tree[.].* tree[.].* tree_building[.].* out_of_memory tree_memory visibility_memory
   "cli([.].*)?" "batch|batch[.](model|numpy|ranks|trees|sees)" budget[.].* docs "docs[.]links" "c([._].*)?" python[.].* "packages[.](conan|vcpkg)" hash.best
   "emulated[.][^.]*[.]isa"
   "embedding[.](neon|strict|no_build_type|refused|cross|package)")
@@ -25,11 +25,11 @@ if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=[a-z,]*address")
   # Where memory is touched.
   set(quick_tests "")
   set(ci_tests
-    "(calls|many|many_tree|tree)[.]${shaftcull_best_set}" tree_building[.].* visibility[.].* streams "c|c_memory" fuzz_corpus)
+    "(calls|dynamic|many|many_tree|tree)[.]${shaftcull_best_set}" tree_building[.].* visibility[.].* streams "c|c_memory" fuzz_corpus)
 elseif(CMAKE_CXX_FLAGS MATCHES "-fsanitize=[a-z,]*thread")
   # Where threads are, which share work in one way on all instruction sets.
   set(quick_tests "")
-  set(ci_tests "(many|many_tree)[.](${shaftcull_best_set}|planted_race[.].*)" visibility[.]threads)
+  set(ci_tests "(many|many_tree)[.](${shaftcull_best_set}|planted_race[.].*)" dynamic_threads executor visibility[.]threads)
 endif()
 set(layer_expressions ${quick_tests} ${ci_tests})
 list(JOIN quick_tests "|" quick_tests)

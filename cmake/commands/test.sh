@@ -48,7 +48,7 @@ run_tests() {
     ci) targets=(shaftcull_ci_tests) filter=(--label-regex '^(quick|ci)$') ;;
     all)
       if [[ $preset == @(asan|arm64|s390x|windows|wasm) ]]; then targets=(shaftcull_tests); fi
-      if [[ $preset == tsan ]]; then targets=(test_many test_many_tree test_planted_race test_same_bits test_visibility); fi
+      if [[ $preset == tsan ]]; then targets=(test_dynamic_threads test_executor test_many test_many_tree test_planted_race test_same_bits test_visibility); fi
       ;;
   esac
   if [[ $area ]]; then targets=("test_$area") filter+=(-R "^$area([.]|\$)"); fi
