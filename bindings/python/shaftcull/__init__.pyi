@@ -664,11 +664,11 @@ class BoxTree(Boxes):
         """Bytes of memory that it holds: int."""
 
 class BoxTreeSnapshot(Boxes):
-    """The boxes of a DynamicBoxTree at one commit(), whatever becomes of the tree: what DynamicBoxTree.snapshot()
-    returns. len() is above all indices.
+    """The boxes of a DynamicBoxTree at one commit(): what snapshot() of the tree returns.
+    It never changes. len() is above all indices.
     """
     @property
-    def count(self) -> int:
+    def alive(self) -> int:
         """The number of bounds: int."""
     @property
     def box(self) -> npt.NDArray[np.float32]:
@@ -686,34 +686,46 @@ class DynamicBoxTree(Boxes):
 
     One thread at a time may change the tree. Others query what snapshot() returns, also during a commit().
     len() is above all indices: cull() and exclude_mask have that many bounds, and those of an index without a
-    bound are False. ValueError for an id of no bound, BadBound for NaN and lo > hi; lo = infinity and hi = -infinity is the empty box.
+    bound are False.
+
+    ValueError for an id of no bound.
+    BadBound for NaN and lo > hi; lo = infinity and hi = -infinity is the empty box.
     """
     def __init__(self) -> None: ...
-    def insert(self, boxes: _Floats, layers: _Integers | None = None, rounding: _Rounding | None = None) -> int | npt.NDArray[np.int64]:
+    def insert(
+        self, boxes: _Floats, layers: _Integers | None = None, rounding: _Rounding | None = None
+    ) -> int | npt.NDArray[np.int64]:
         """Inserts boxes, which are as those of the tree without changes, and returns their
         ids: int64 (n,), or an int for one. ids & 0xffffffff are indices, as queries return them.
 
         layers: integers from 0 to 2**32 - 1, one or (n,): the layers of each; all layers if not given.
+
+        TypeError, ValueError or BadBound names the argument that does not fit; then nothing is inserted.
         """
     def erase(self, ids: _Integers) -> None:
         """Erases bounds. ids: integers (k,), or one. ValueError for one that occurs twice."""
     def move(self, ids: _Integers, boxes: _Floats, rounding: _Rounding | None = None) -> None:
-        """Gives bounds new values: one for each id."""
+        """Gives bounds new values: one for each id. ValueError for an id of no bound, BadBound for bad values."""
     def move_by(self, ids: _Integers, displacements: _Floats) -> None:
-        """Moves bounds by vectors: float32 (k, 3), or (3,) for one id."""
+        """Moves bounds by vectors: float32 (k, 3), or (3,) for one id. ValueError for an id that occurs twice."""
     def commit(self) -> None:
         """Makes all changes visible to queries. RuntimeError if another thread uses the tree."""
-    def rebuild(self) -> None: ...
+    def rebuild(self) -> None:
+        """commit(), and sorts all bounds again: for a world that was built bit by bit and stays."""
     def snapshot(self) -> BoxTreeSnapshot:
         """The state of the last commit(), as a BoxTreeSnapshot."""
     def values(self, ids: _Integers) -> npt.NDArray[np.float32]:
-        """The values of bounds, with all changes: float32, a row for each id, or a row for one."""
+        """The values of bounds, with all changes: float32, a row for each id, or a row for one. ValueError for an id of
+        no bound.
+        """
     def __contains__(self, id: int) -> bool:
         """Whether an id has a bound, with all changes."""
     def ids_of(self, indices: _Integers) -> npt.NDArray[np.int64]:
-        """The ids that have these indices now: int64 (k,). -1 for an index without a bound."""
+        """The ids that have these indices now: int64 (k,). -1 for an index without a bound. IndexError for what is no
+        index.
+        """
     @property
-    def count(self) -> int:
+    def alive(self) -> int:
         """The number of bounds, with all changes: int."""
     @property
     def memory_bytes(self) -> int:
@@ -857,11 +869,11 @@ class SphereTree(Spheres):
         """Bytes of memory that it holds: int."""
 
 class SphereTreeSnapshot(Spheres):
-    """The spheres of a DynamicSphereTree at one commit(), whatever becomes of the tree: what DynamicSphereTree.snapshot()
-    returns. len() is above all indices.
+    """The spheres of a DynamicSphereTree at one commit(): what snapshot() of the tree returns.
+    It never changes. len() is above all indices.
     """
     @property
-    def count(self) -> int:
+    def alive(self) -> int:
         """The number of bounds: int."""
     @property
     def box(self) -> npt.NDArray[np.float32]:
@@ -879,34 +891,46 @@ class DynamicSphereTree(Spheres):
 
     One thread at a time may change the tree. Others query what snapshot() returns, also during a commit().
     len() is above all indices: cull() and exclude_mask have that many bounds, and those of an index without a
-    bound are False. ValueError for an id of no bound, BadBound for NaN, centres that are not finite, and radii below 0.
+    bound are False.
+
+    ValueError for an id of no bound.
+    BadBound for NaN, centres that are not finite, and radii below 0.
     """
     def __init__(self) -> None: ...
-    def insert(self, spheres: _Floats, layers: _Integers | None = None, rounding: _Rounding | None = None) -> int | npt.NDArray[np.int64]:
+    def insert(
+        self, spheres: _Floats, layers: _Integers | None = None, rounding: _Rounding | None = None
+    ) -> int | npt.NDArray[np.int64]:
         """Inserts spheres, which are as those of the tree without changes, and returns their
         ids: int64 (n,), or an int for one. ids & 0xffffffff are indices, as queries return them.
 
         layers: integers from 0 to 2**32 - 1, one or (n,): the layers of each; all layers if not given.
+
+        TypeError, ValueError or BadBound names the argument that does not fit; then nothing is inserted.
         """
     def erase(self, ids: _Integers) -> None:
         """Erases bounds. ids: integers (k,), or one. ValueError for one that occurs twice."""
     def move(self, ids: _Integers, spheres: _Floats, rounding: _Rounding | None = None) -> None:
-        """Gives bounds new values: one for each id."""
+        """Gives bounds new values: one for each id. ValueError for an id of no bound, BadBound for bad values."""
     def move_by(self, ids: _Integers, displacements: _Floats) -> None:
-        """Moves bounds by vectors: float32 (k, 3), or (3,) for one id."""
+        """Moves bounds by vectors: float32 (k, 3), or (3,) for one id. ValueError for an id that occurs twice."""
     def commit(self) -> None:
         """Makes all changes visible to queries. RuntimeError if another thread uses the tree."""
-    def rebuild(self) -> None: ...
+    def rebuild(self) -> None:
+        """commit(), and sorts all bounds again: for a world that was built bit by bit and stays."""
     def snapshot(self) -> SphereTreeSnapshot:
         """The state of the last commit(), as a SphereTreeSnapshot."""
     def values(self, ids: _Integers) -> npt.NDArray[np.float32]:
-        """The values of bounds, with all changes: float32, a row for each id, or a row for one."""
+        """The values of bounds, with all changes: float32, a row for each id, or a row for one. ValueError for an id of
+        no bound.
+        """
     def __contains__(self, id: int) -> bool:
         """Whether an id has a bound, with all changes."""
     def ids_of(self, indices: _Integers) -> npt.NDArray[np.int64]:
-        """The ids that have these indices now: int64 (k,). -1 for an index without a bound."""
+        """The ids that have these indices now: int64 (k,). -1 for an index without a bound. IndexError for what is no
+        index.
+        """
     @property
-    def count(self) -> int:
+    def alive(self) -> int:
         """The number of bounds, with all changes: int."""
     @property
     def memory_bytes(self) -> int:

@@ -102,12 +102,12 @@ void add_snapshot(py::module_& module) {
   using Made = Shown<Bound>;
   const std::string name = std::string(Of::name) + "TreeSnapshot";
   const std::string text = py::str(R"(
-The {0} of a Dynamic{1}Tree at one commit(), whatever becomes of the tree: what Dynamic{1}Tree.snapshot()
-returns. len() is above all indices.)")
+The {0} of a Dynamic{1}Tree at one commit(): what snapshot() of the tree returns.
+It never changes. len() is above all indices.)")
                                .format(Of::plural, Of::name);
   py::class_<Made, HolderOf<Bound>>(module, name.c_str(), text.c_str())
       .def_property_readonly(
-          "count", [](const Made& self) { return self.owner.count(); }, "The number of bounds: int.")
+          "alive", [](const Made& self) { return self.owner.count(); }, "The number of bounds: int.")
       .def_property_readonly(
           "box", [](const Made& self) { return array_of(self.owner.box()); },
           "float32 (6,): the box around all bounds.");
@@ -138,7 +138,9 @@ void add_changes_by_ids(py::class_<Living<Bound>, HolderOf<Bound>>& tree) {
           (std::string("Inserts ") + Of::plural + R"(, which are as those of the tree without changes, and returns their
 ids: int64 (n,), or an int for one. ids & 0xffffffff are indices, as queries return them.
 
-layers: integers from 0 to 2**32 - 1, one or (n,): the layers of each; all layers if not given.)")
+layers: integers from 0 to 2**32 - 1, one or (n,): the layers of each; all layers if not given.
+
+TypeError, ValueError or BadBound names the argument that does not fit; then nothing is inserted.)")
               .c_str())
       .def(
           "erase",
@@ -156,7 +158,8 @@ layers: integers from 0 to 2**32 - 1, one or (n,): the layers of each; all layer
             const Changing changing(self.usage);
             self.owner.move(in.ids, bounds);
           },
-          arg("ids"), arg(Of::plural), arg(Of::option) = none, "Gives bounds new values: one for each id.")
+          arg("ids"), arg(Of::plural), arg(Of::option) = none,
+          "Gives bounds new values: one for each id. ValueError for an id of no bound, BadBound for bad values.")
       .def(
           "move_by",
           [](Made& self, const py::object& ids, const py::object& displacements) {
@@ -186,7 +189,10 @@ commit(). An id never means another bound, even when its index is used again. An
 
 One thread at a time may change the tree. Others query what snapshot() returns, also during a commit().
 len() is above all indices: cull() and exclude_mask have that many bounds, and those of an index without a
-bound are False. ValueError for an id of no bound, BadBound for {2}.)")
+bound are False.
+
+ValueError for an id of no bound.
+BadBound for {2}.)")
                                .format(Of::plural, Of::name, Of::bad);
   py::class_<Made, HolderOf<Bound>> tree(module, name.c_str(), text.c_str());
   tree.def(py::init([]() { return std::make_unique<Made>(); }));
@@ -224,7 +230,10 @@ bound are False. ValueError for an id of no bound, BadBound for {2}.)")
             for (const BoundId id : in.ids) bounds.push_back(self.owner[id]);
             return rows_or_row(bounds, in.one);
           },
-          arg("ids"), "The values of bounds, with all changes: float32, a row for each id, or a row for one.")
+          arg("ids"),
+          "The values of bounds, with all changes: float32, a row for each id, or a row for one. ValueError for an id "
+          "of\n"
+          "no bound.")
       .def(
           "__contains__",
           [](const Made& self, const py::object& id) {
@@ -244,9 +253,12 @@ bound are False. ValueError for an id of no bound, BadBound for {2}.)")
             }
             return array_of(std::move(numbers));
           },
-          arg("indices"), "The ids that have these indices now: int64 (k,). -1 for an index without a bound.")
+          arg("indices"),
+          "The ids that have these indices now: int64 (k,). -1 for an index without a bound. IndexError for what is "
+          "no\n"
+          "index.")
       .def_property_readonly(
-          "count", [](const Made& self) { return self.owner.count(); }, "The number of bounds, with all changes: int.")
+          "alive", [](const Made& self) { return self.owner.count(); }, "The number of bounds, with all changes: int.")
       .def_property_readonly(
           "memory_bytes", [](const Made& self) { return self.owner.memory_bytes(); },
           "Bytes of memory that it holds: int.")
