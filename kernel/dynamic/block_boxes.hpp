@@ -22,7 +22,7 @@ class BlockBoxes {
   explicit BlockBoxes(const DynamicState<Bound>& state) : BlockBoxes(state.blocks.size()) {
     if (state.parts.levels > 2) {
       const BoxView nodes = state.parts.node_words(2, 0, words_);
-      for (std::size_t f = 0; f != 6; ++f) std::copy_n(nodes.stream[f], size_, written_box_[f]);
+      for (std::size_t f = 0; f != 6; ++f) std::copy_n(nodes.stream[f], size_, box_[f]);
     } else {
       for (std::size_t b = 0; b != size_; ++b) grow_around(b, *state.blocks[b]);
     }
@@ -35,8 +35,7 @@ class BlockBoxes {
       bias_[is_large][b] = 0;
       has_any_[is_large][b / fanout] = true;
       if (is_large) continue;
-      const float corner[6] = {box_[0][b], box_[1][b], box_[2][b], box_[3][b], box_[4][b], box_[5][b]};
-      grow_box(written_around_, b / fanout, corner);
+      grow_box(around_, b / fanout, corners_at(box_, b).corner);
     }
   }
   template <class Bound>
@@ -82,9 +81,7 @@ class BlockBoxes {
   }
   /// How large a box around two blocks is.
   [[nodiscard]] float measure_of_both(std::size_t a, std::size_t b) const noexcept {
-    return node_measure(greater(box_[3][a], box_[3][b]) - lesser(box_[0][a], box_[0][b]),
-                        greater(box_[4][a], box_[4][b]) - lesser(box_[1][a], box_[1][b]),
-                        greater(box_[5][a], box_[5][b]) - lesser(box_[2][a], box_[2][b]));
+    return measure_with(box_, a, corners_at(box_, b).corner);
   }
   [[nodiscard]] BoxView view() const noexcept {
     return {{box_[0], box_[1], box_[2], box_[3], box_[4], box_[5]}, size_};
@@ -97,19 +94,17 @@ class BlockBoxes {
       : size_(blocks), words_(bit_words(blocks)), memory_(6 * (words_ * 64 + bit_words(words_) * 64)) {
     float* next = memory_.data();
     for (std::size_t f = 0; f != 6; ++f) {
-      box_[f] = written_box_[f] = std::exchange(next, next + words_ * 64);
-      around_[f] = written_around_[f] = std::exchange(next, next + bit_words(words_) * 64);
-      std::fill_n(written_box_[f], words_ * 64, padding_box[f]);
-      std::fill_n(written_around_[f], bit_words(words_) * 64, padding_box[f]);
+      box_[f] = std::exchange(next, next + words_ * 64);
+      around_[f] = std::exchange(next, next + bit_words(words_) * 64);
+      std::fill_n(box_[f], words_ * 64, padding_box[f]);
+      std::fill_n(around_[f], bit_words(words_) * 64, padding_box[f]);
     }
   }
   template <class Bound>
   void grow_around(std::size_t b, const LeafBlock<Bound>& block) noexcept {
-    for (std::size_t w = 0; w != block_words; ++w) {
-      const float corner[6] = {block.node[0][w], block.node[1][w], block.node[2][w],
-                               block.node[3][w], block.node[4][w], block.node[5][w]};
-      grow_box(written_box_, b, corner);
-    }
+    const float* node[6];
+    for (std::size_t f = 0; f != 6; ++f) node[f] = block.node[f];
+    for (std::size_t w = 0; w != block_words; ++w) grow_box(box_, b, corners_at(node, w).corner);
   }
 
   static void keep_better(std::optional<BestOfNodes>& best, const BestOfNodes& other) noexcept {
@@ -132,10 +127,8 @@ class BlockBoxes {
   std::vector<float> memory_;
   std::vector<float> bias_[2];    ///< of blocks for bounds that are not large, and for large ones
   std::vector<bool> has_any_[2];  ///< whether a group has such a block
-  float* written_box_[6];
-  float* written_around_[6];
-  const float* box_[6];
-  const float* around_[6];
+  float* box_[6];
+  float* around_[6];
 };
 
 }  // namespace shaftcull::kernel

@@ -42,7 +42,7 @@ class BlockChanges {
  public:
   BlockChanges(LeafBlock<Bound>& block, const PlaceWriter& places, const Kernels& kernels) noexcept
       : block_(block), places_(places), kernels_(kernels) {
-    for (std::size_t f = 0; f != 6; ++f) read_[f] = node_[f] = block.node[f];
+    for (std::size_t f = 0; f != 6; ++f) node_[f] = block.node[f];
     for (std::size_t w = 0; w != block_words; ++w) note(w);
   }
 
@@ -62,9 +62,9 @@ class BlockChanges {
     corners_of(change.bound, corner);
     ++block_.changed;
     const std::size_t word = leaf / fanout;
-    if (!box_holds(read_, word, corner) && has_grown_much_with(word, corner)) {
+    if (!box_holds(node_, word, corner) && has_grown_much_with(word, corner)) {
       has_space_[word] = 0;  // it has the leaf that the bound has now
-      const std::size_t best = best_node_for(read_, corner, has_space_, kernels_).node;
+      const std::size_t best = best_node_for(node_, corner, has_space_, kernels_).node;
       note(word);
       if (best != word) {
         block_.clear(leaf);
@@ -85,10 +85,10 @@ class BlockChanges {
     ++block_.changed;
     if (used_ == 0) return put(0, corner, change);
     // The best word may be full. Then some of its bounds go elsewhere first.
-    std::size_t word = best_node_for(read_, corner, is_used_, kernels_).node;
+    std::size_t word = best_node_for(node_, corner, is_used_, kernels_).node;
     if (block_.is_full(word)) {
       make_space(word);
-      word = best_node_for(read_, corner, has_space_, kernels_).node;
+      word = best_node_for(node_, corner, has_space_, kernels_).node;
     }
     put(word, corner, change);
   }
@@ -120,12 +120,7 @@ class BlockChanges {
 
   /// Whether a word is much larger with a box: only then another word is looked for.
   [[nodiscard]] bool has_grown_much_with(std::size_t word, const float (&corner)[6]) const noexcept {
-    const float now =
-        node_measure(node_[3][word] - node_[0][word], node_[4][word] - node_[1][word], node_[5][word] - node_[2][word]);
-    const float then = node_measure(greater(node_[3][word], corner[3]) - lesser(node_[0][word], corner[0]),
-                                    greater(node_[4][word], corner[4]) - lesser(node_[1][word], corner[1]),
-                                    greater(node_[5][word], corner[5]) - lesser(node_[2][word], corner[2]));
-    return !(then <= 1.125F * now);
+    return !(measure_with(node_, word, corner) <= 1.125F * measure_of(node_, word));
   }
 
   /// Shares the bounds of a full word with another one: an unused one, or else the one that is nearest of those with
@@ -136,9 +131,7 @@ class BlockChanges {
     float least_measure = std::numeric_limits<float>::infinity();
     for (std::size_t w = 0; w != block_words; ++w) {
       if (std::popcount(block_.taken[w]) > most_in_partner) continue;
-      const float measure = node_measure(greater(node_[3][w], node_[3][word]) - lesser(node_[0][w], node_[0][word]),
-                                         greater(node_[4][w], node_[4][word]) - lesser(node_[1][w], node_[1][word]),
-                                         greater(node_[5][w], node_[5][word]) - lesser(node_[2][w], node_[2][word]));
+      const float measure = measure_with(node_, w, corners_at(node_, word).corner);
       if (!(measure < least_measure)) continue;
       least_measure = measure;
       other = w;
@@ -214,7 +207,6 @@ class BlockChanges {
   PlaceWriter places_;
   const Kernels& kernels_;
   float* node_[6];
-  const float* read_[6];          ///< the same
   float is_used_[block_words];    ///< 0 for words that are used, as best_node_for() has it
   float has_space_[block_words];  ///< 0 for those that have a free leaf, too
   std::uint64_t used_ = 0;

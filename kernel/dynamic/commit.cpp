@@ -11,6 +11,7 @@
 #include "dynamic/block_changes.hpp"
 #include "dynamic/commit_plan.hpp"
 #include "dynamic/members.hpp"
+#include "dynamic/nodes_of_blocks.hpp"
 #include "dynamic/sort_blocks.hpp"
 #include "parallel/parallel.hpp"
 #include "support/exact_floats.hpp"
@@ -84,7 +85,10 @@ class Commit {
     }
     for (const std::uint32_t c : plan_.arrivals()) add(members, changes_[c]);
     Blocks<Bound> sorted;
-    if (members.count() != 0) sorted = sorted_blocks_in_parallel(members, has_layers(), kernels_);
+    if (members.count() != 0) {
+      node_size_ = size_of_nodes(members, members.count());
+      sorted = sorted_blocks_in_parallel(members, sorting(), kernels_);
+    }
     const BlockBoxes boxes(sorted);
     for (std::size_t b = 0; b != sorted.size(); ++b) {
       table_.push_back({static_cast<std::uint32_t>(b + 1), nowhere, std::move(sorted[b])});
@@ -93,7 +97,6 @@ class Commit {
     order_table(boxes);
     in_place_ = false;  // nothing of it is used again
     for (std::size_t i = 0; i != pages(); ++i) pages_.push_back(Shared<PlacePage>(new PlacePage));
-    if (members.count() != 0) node_size_ = size_of_nodes(members, members.count());
     node_size_count_ = members.count();
     spent_.sorted_last = members.count();
     spent_.saved = 0;
@@ -105,6 +108,7 @@ class Commit {
   }
 
   [[nodiscard]] bool has_layers() const noexcept { return layers_ || old().has_layers; }
+  [[nodiscard]] bool adds_layers() const noexcept { return has_layers() && !old().has_layers; }
   [[nodiscard]] std::size_t pages() const noexcept {
     return (index_end_ + LeafBlocks::page_size - 1) / LeafBlocks::page_size;
   }
@@ -119,11 +123,12 @@ class Commit {
     members.add(from, stay);
   }
 
+  [[nodiscard]] BlockSorting sorting() const noexcept {
+    return {.node_size = node_size_, .has_layers = has_layers(), .keeps_large_apart = plan_.count() > sorted_in_block};
+  }
   void sort_groups() {
     refresh_node_size();
     sorted_.resize(plan_.groups().size());
-    const BlockSorting how{
-        .node_size = node_size_, .has_layers = has_layers(), .keeps_large_apart = plan_.count() > sorted_in_block};
     parallel_for(sorted_.size(), 1, [&](std::size_t g, std::size_t) {
       const SortedGroup& group = plan_.groups()[g];
       std::size_t most = group.arrivals.size();
@@ -141,7 +146,7 @@ class Commit {
         }
       }
       for (const std::uint32_t c : group.arrivals) add(members, changes_[c]);
-      sorted_[g] = sorted_blocks(members, how, kernels_);
+      sorted_[g] = sorted_blocks(members, sorting(), kernels_);
       for (const Shared<LeafBlock<Bound>>& block : sorted_[g]) block->is_apart = group.are_apart;
     });
   }
@@ -211,11 +216,10 @@ class Commit {
       order_table(BlockBoxes(all));
     }
     // What is written is not shared with another state, and has layers if there are any.
-    const bool adds_layers = has_layers() && !old().has_layers;
     for (Place& place : table_) {
-      if (place.is_new() || (plan_.steps_of(place.from).empty() && !adds_layers)) continue;
+      if (place.is_new() || (plan_.steps_of(place.from).empty() && !adds_layers())) continue;
       const Shared<LeafBlock<Bound>>& block = old().blocks[place.from];
-      if (in_place_ && block.is_only() && !adds_layers) continue;
+      if (in_place_ && block.is_only() && !adds_layers()) continue;
       place.block = Shared<LeafBlock<Bound>>(new LeafBlock<Bound>(*block, has_layers()));
     }
   }
@@ -233,8 +237,7 @@ class Commit {
   /// Gets the memory of the next state. After that, nothing throws.
   Shared<StateOf<Bound>> prepare() {
     Shared<StateOf<Bound>> next = in_place_ ? old_ : Shared<StateOf<Bound>>(new StateOf<Bound>);
-    const bool adds_layers = has_layers() && !old().has_layers;
-    is_same_table_ = in_place_ && plan_.groups().empty() && !adds_layers && !old().row.empty();
+    is_same_table_ = in_place_ && plan_.groups().empty() && !adds_layers() && !old().tables.row.empty();
     if (pages_.empty()) {
       pages_.reserve(pages());
       for (std::size_t i = 0; i != pages(); ++i) {
@@ -261,10 +264,7 @@ class Commit {
     blocks_.reserve(table_.size());
     number_of_.reserve(table_.size());
     size_of_.reserve(table_.size());
-    row_.resize((table_.size() + 1) * rows_of<Bound>);
-    taken_.resize(table_.size() + 1);
-    order_.resize(table_.size() + 1);
-    if (has_layers()) layer_rows_.resize(table_.size() + 1);
+    tables_.resize(table_.size(), has_layers());
     position_of_.assign(numbers_, nowhere);
     return next;
   }
@@ -368,7 +368,7 @@ class Commit {
       for (std::size_t p = 0; p != table_.size(); ++p) {
         if (table_[p].block) {
           next.blocks[p] = std::move(table_[p].block);
-          set_pointers(next.row, next.taken, next.order, next.layers, p, *next.blocks[p]);
+          next.tables.set(p, *next.blocks[p]);
         }
         if (plan_.steps_of(table_[p].from).empty()) continue;
         next.size_of[p] = size_of(*next.blocks[p]);
@@ -381,24 +381,21 @@ class Commit {
         number_of_.push_back(table_[p].number);
         size_of_.push_back(size_of(*blocks_[p]));
         position_of_[table_[p].number] = static_cast<std::uint32_t>(p);
-        set_pointers(row_, taken_, order_, layer_rows_, p, *blocks_[p]);
+        tables_.set(p, *blocks_[p]);
         copy_nodes(levels_, p, *blocks_[p]);
       }
       position_of_[number_of_nothing] = static_cast<std::uint32_t>(table_.size());
-      set_nothing(row_, taken_, order_, layer_rows_, table_.size());
+      tables_.set_nothing(table_.size());
       std::swap(next.blocks, blocks_);
       std::swap(next.number_of, number_of_);
       std::swap(next.size_of, size_of_);
-      std::swap(next.row, row_);
-      std::swap(next.taken, taken_);
-      std::swap(next.order, order_);
-      std::swap(next.layers, layer_rows_);
+      std::swap(next.tables, tables_);
       std::swap(next.position_of, position_of_);
       static_cast<TreeLevels<Bound>&>(next.parts) = std::move(levels_);
     }
-    next.parts.blocks = {next.row.data(),   next.taken.data(),
-                         next.order.data(), next.has_layers ? next.layers.data() : nullptr,
-                         next.place.data(), next.position_of.data()};
+    next.parts.blocks = {next.tables.row.data(),   next.tables.taken.data(),
+                         next.tables.order.data(), next.has_layers ? next.tables.layers.data() : nullptr,
+                         next.place.data(),        next.position_of.data()};
     next.parts.layers.blocks = next.parts.blocks.layers;
     next.parts.layers.is_any_in_none = true;
     next.parts.layers.of_any = next.has_layers ? 0 : ~std::uint32_t{0};
@@ -407,33 +404,6 @@ class Commit {
     if (next.has_layers) fit_upper_layers(next.parts);
   }
 
-  static void set_pointers(std::vector<const float*>& row, std::vector<const std::uint64_t*>& taken,
-                           std::vector<const std::uint32_t*>& order, std::vector<const std::uint32_t*>& layers,
-                           std::size_t p, const LeafBlock<Bound>& block) noexcept {
-    for (std::size_t r = 0; r != rows_of<Bound>; ++r) row[p * rows_of<Bound> + r] = block.row(r);
-    taken[p] = block.taken;
-    order[p] = block.order();
-    if (!layers.empty()) layers[p] = block.layers();
-  }
-  static void set_nothing(std::vector<const float*>& row, std::vector<const std::uint64_t*>& taken,
-                          std::vector<const std::uint32_t*>& order, std::vector<const std::uint32_t*>& layers,
-                          std::size_t p) noexcept {
-    static constexpr std::uint32_t zero = 0;
-    static constexpr std::uint64_t no_bits = 0;
-    for (std::size_t r = 0; r != rows_of<Bound>; ++r) row[p * rows_of<Bound> + r] = padding_of<Bound>() + r;
-    taken[p] = &no_bits;
-    order[p] = &zero;
-    if (!layers.empty()) layers[p] = &zero;
-  }
-
-  static void copy_nodes(TreeLevels<Bound>& parts, std::size_t p, const LeafBlock<Bound>& block) noexcept {
-    const auto row = parts.node_rows(1, p * block_words);
-    for (std::size_t f = 0; f != 6; ++f) std::copy_n(block.node[f], block_words, row[f]);
-    parts.gap_words(1)[p] = block.gaps;
-    if (block.layers() != nullptr) {
-      std::copy_n(block.word_layers, block_words, parts.layers.nodes.data() + parts.level[1].first + p * block_words);
-    }
-  }
   [[nodiscard]] static BlockSize size_of(const LeafBlock<Bound>& block) noexcept {
     return {static_cast<std::uint32_t>(block.count),
             static_cast<std::uint32_t>(block.count_when_sorted),
@@ -449,17 +419,6 @@ class Commit {
       for (std::size_t i = 0; i != parts.level[k].entries; ++i) fit_node_word(parts, kernels_, k, i);
     }
   }
-  static void fit_upper_layers(TreeLevels<Bound>& parts) noexcept {
-    for (std::size_t k = 2; k < parts.levels; ++k) {
-      const std::uint32_t* const below = parts.layers.nodes.data() + parts.level[k - 1].first;
-      std::uint32_t* const here = parts.layers.nodes.data() + parts.level[k].first;
-      for (std::size_t i = 0; i != parts.level[k].entries; ++i) {
-        here[i] = 0;
-        for (std::size_t j = 0; j != fanout; ++j) here[i] |= below[i * fanout + j];
-      }
-    }
-  }
-
   const Shared<StateOf<Bound>>& old_;
   bool in_place_;
   std::span<const Change<Bound>> changes_;
@@ -488,10 +447,7 @@ class Commit {
   std::vector<Shared<PlacePage>> pages_;
   std::vector<const std::uint32_t*> places_;
   std::vector<std::uint32_t*> page_;  ///< the same, to be written
-  std::vector<const float*> row_;
-  std::vector<const std::uint64_t*> taken_;
-  std::vector<const std::uint32_t*> order_;
-  std::vector<const std::uint32_t*> layer_rows_;
+  BlockTables<Bound> tables_;
   std::vector<std::uint32_t> position_of_;
 };
 

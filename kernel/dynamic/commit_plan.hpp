@@ -47,6 +47,7 @@ class CommitPlan {
              const Kernels& kernels)
       : old_(old), changes_(changes), upkeep_(upkeep), kernels_(kernels), boxes_(old) {
     find_steps();
+    earn_upkeep();
   }
   CommitPlan(const CommitPlan&) = delete;
   CommitPlan& operator=(const CommitPlan&) = delete;
@@ -118,7 +119,9 @@ class CommitPlan {
       if (change.has_bound) arrivals_.push_back(number);
     }
     count_ = old_.count + arrivals_.size() + moves_ - steps_.size();
-    // An eighth for bounds that stay in their block.
+  }
+  /// What the changes allow to be sorted again: an eighth for bounds that stay in their block.
+  void earn_upkeep() noexcept {
     const double changed = static_cast<double>(changes_.size() - moves_) + static_cast<double>(moves_) / 8;
     const double most_saved = std::max<double>(static_cast<double>(count_) / 4, sorted_together * block_leaves);
     if (upkeep_.per_change > 0) upkeep_.saved += in_any_case;

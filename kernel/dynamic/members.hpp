@@ -21,7 +21,9 @@ class Members {
   explicit Members(std::size_t most) : records_(most * rows), index_(most), layers_(most) {}
 
   void add(const float* bound, std::uint32_t index, std::uint32_t layers) noexcept {
-    set(count_, bound, index, layers);
+    std::copy_n(bound, rows, records_.get() + count_ * rows);
+    index_.get()[count_] = index;
+    layers_.get()[count_] = layers;
     ++count_;
   }
   /// Adds the bounds of a block whose leaves are in `taken`.
@@ -35,13 +37,6 @@ class Members {
       }
     }
   }
-  /// For tasks that write parts of them.
-  void set(std::size_t i, const float* bound, std::uint32_t index, std::uint32_t layers) noexcept {
-    std::copy_n(bound, rows, records_.get() + i * rows);
-    index_.get()[i] = index;
-    layers_.get()[i] = layers;
-  }
-  void set_count(std::size_t count) noexcept { count_ = count; }
 
   [[nodiscard]] std::size_t count() const noexcept { return count_; }
   [[nodiscard]] const float* records() const noexcept { return records_.get(); }

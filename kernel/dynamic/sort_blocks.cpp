@@ -176,21 +176,19 @@ Blocks<Bound> sorted_blocks(const Members<Bound>& members, const BlockSorting& h
 }
 
 template <class Bound>
-Blocks<Bound> sorted_blocks_in_parallel(const Members<Bound>& members, bool has_layers, const Kernels& kernels) {
+Blocks<Bound> sorted_blocks_in_parallel(const Members<Bound>& members, const BlockSorting& how,
+                                        const Kernels& kernels) {
   const BuildScratch<Bound> scratch(members.count());
   const RecordSource<Bound> source(records_in<Bound>(members.records(), members.count()));
   EntryPlace place = scratch.place();
   place.records = nullptr;
   const ClassBounds class_first = write_entries<Bound>(source, place);
-  const BlockSorting how{.node_size = node_size_of<Bound>(source, members.count()),
-                         .has_layers = has_layers,
-                         .keeps_large_apart = members.count() > sorted_in_block};
   return sort(members, class_first, scratch.entries(), scratch.spare(), how, true, kernels);
 }
 
 #define SHAFTCULL_SORT_BLOCKS(Bound)                                                                \
   template Blocks<Bound> sorted_blocks(const Members<Bound>&, const BlockSorting&, const Kernels&); \
-  template Blocks<Bound> sorted_blocks_in_parallel(const Members<Bound>&, bool, const Kernels&);
+  template Blocks<Bound> sorted_blocks_in_parallel(const Members<Bound>&, const BlockSorting&, const Kernels&);
 SHAFTCULL_SORT_BLOCKS(Box)
 SHAFTCULL_SORT_BLOCKS(Sphere)
 #undef SHAFTCULL_SORT_BLOCKS

@@ -43,10 +43,9 @@ template <class Bound>
 [[nodiscard]] Blocks<Bound> sorted_blocks(const Members<Bound>& members, const BlockSorting& how,
                                           const Kernels& kernels);
 
-/// The same by all threads, for the size that nodes of all these bounds have. The same blocks for any number of
-/// threads.
+/// The same by all threads. The same blocks for any number of them.
 template <class Bound>
-[[nodiscard]] Blocks<Bound> sorted_blocks_in_parallel(const Members<Bound>& members, bool has_layers,
+[[nodiscard]] Blocks<Bound> sorted_blocks_in_parallel(const Members<Bound>& members, const BlockSorting& how,
                                                       const Kernels& kernels);
 
 }  // namespace shaftcull::kernel

@@ -35,6 +35,41 @@ struct BlockSize {
   bool is_apart = false;
 };
 
+/// Where blocks are, for queries: LeafBlocks refers to it.
+template <class Bound>
+struct BlockTables {
+  std::vector<const float*> row;
+  std::vector<const std::uint64_t*> taken;
+  std::vector<const std::uint32_t*> order;
+  std::vector<const std::uint32_t*> layers;  ///< empty if all bounds are in all layers
+
+  /// Makes room for so many blocks, and for nothing behind them.
+  void resize(std::size_t blocks, bool has_layers) {
+    row.resize((blocks + 1) * rows_of<Bound>);
+    taken.resize(blocks + 1);
+    order.resize(blocks + 1);
+    if (has_layers) layers.resize(blocks + 1);
+  }
+  void set(std::size_t position, const LeafBlock<Bound>& block) noexcept {
+    for (std::size_t r = 0; r != rows_of<Bound>; ++r) row[position * rows_of<Bound> + r] = block.row(r);
+    taken[position] = block.taken;
+    order[position] = block.order();
+    if (!layers.empty()) layers[position] = block.layers();
+  }
+  /// Puts a single empty bound there: what indices without a bound have.
+  void set_nothing(std::size_t position) noexcept {
+    static constexpr std::uint32_t zero = 0;
+    static constexpr std::uint64_t no_bits = 0;
+    for (std::size_t r = 0; r != rows_of<Bound>; ++r) row[position * rows_of<Bound> + r] = padding_of<Bound>() + r;
+    taken[position] = &no_bits;
+    order[position] = &zero;
+    if (!layers.empty()) layers[position] = &zero;
+  }
+  [[nodiscard]] std::size_t bytes() const noexcept {
+    return (row.capacity() + taken.capacity() + order.capacity() + layers.capacity()) * sizeof(void*);
+  }
+};
+
 /// What a snapshot shows. `parts.blocks` refers to the tables here.
 template <class Bound>
 struct DynamicState : Ownable {
@@ -54,13 +89,9 @@ struct DynamicState : Ownable {
   float node_size = 0;              ///< the usual size of a node of 64 (tree/size_class.hpp)
   std::size_t node_size_count = 0;  ///< bounds when that was found
 
-  // Tables of pointers, for queries.
-  std::vector<const float*> row;
-  std::vector<const std::uint64_t*> taken;
-  std::vector<const std::uint32_t*> order;
-  std::vector<const std::uint32_t*> layers;
-  std::vector<const std::uint32_t*> place;
-  std::vector<std::uint32_t> position_of;  ///< of the block of each number
+  BlockTables<Bound> tables;
+  std::vector<const std::uint32_t*> place;  ///< of each page
+  std::vector<std::uint32_t> position_of;   ///< of the block of each number
 
   [[nodiscard]] std::uint32_t place_of(std::uint32_t index) const noexcept {
     return place[index / LeafBlocks::page_size][index % LeafBlocks::page_size];
@@ -85,7 +116,8 @@ struct DynamicState : Ownable {
   SHAFTCULL_ALWAYS_INLINE void prefetch(std::uint32_t index) const noexcept {
     if (!has(index)) return;
     const std::uint32_t place_of_bound = place_of(index);
-    const float* const* const stream = &row[position_of[place_of_bound >> LeafBlocks::number_shift] * rows_of<Bound>];
+    const float* const* const stream =
+        &tables.row[position_of[place_of_bound >> LeafBlocks::number_shift] * rows_of<Bound>];
     for (std::size_t r = 0; r != rows_of<Bound>; ++r) {
       prefetch_to_second_level(stream[r] + place_of_bound % block_leaves, 1);
     }
@@ -95,10 +127,8 @@ struct DynamicState : Ownable {
     std::size_t sum = sizeof *this + parts.nodes.memory_bytes() + parts.gaps.bytes() + parts.layers.nodes.bytes() +
                       pages.size() * sizeof(PlacePage);
     for (const Shared<LeafBlock<Bound>>& block : blocks) sum += block->bytes();
-    return sum + blocks.capacity() * (sizeof blocks[0] + sizeof number_of[0] + sizeof size_of[0]) +
-           (row.capacity() + taken.capacity() + order.capacity() + layers.capacity() + place.capacity()) *
-               sizeof(void*) +
-           position_of.capacity() * sizeof position_of[0];
+    return sum + blocks.capacity() * (sizeof blocks[0] + sizeof number_of[0] + sizeof size_of[0]) + tables.bytes() +
+           place.capacity() * sizeof(void*) + position_of.capacity() * sizeof position_of[0];
   }
 };
 

@@ -8,6 +8,7 @@
 
 #include "dynamic/world.hpp"
 #include "float_modes.hpp"
+#include "instruction_sets.hpp"
 #include "many/workload.hpp"
 #include "sanitizers.hpp"
 
@@ -64,6 +65,22 @@ TYPED_TEST(DynamicTrees, SnapshotsStayAsTheyAre) {
   expect_equal(world.tree.committed(), world.model, world.random());
   world.tree = DynamicTree<TypeParam>();
   for (const auto& [snapshot, model] : before) expect_equal(snapshot, model, world.random());
+}
+
+TYPED_TEST(DynamicTrees, ASnapshotThatIsMovedFromHoldsNothing) {
+  World<TypeParam> world(13);
+  world.change({.count = 100, .insertions = 10});
+  world.tree.commit();
+  TreeSnapshot<TypeParam> one = world.tree.snapshot();
+  world.change({.count = 100, .insertions = 10});
+  world.tree.commit();
+  TreeSnapshot<TypeParam> other = world.tree.snapshot();
+  one = std::move(other);
+  EXPECT_EQ(one.count(), world.model.count());
+  EXPECT_EQ(other.count(), 0U);
+  TreeSnapshot<TypeParam>& itself = one;
+  one = std::move(itself);
+  EXPECT_EQ(one.count(), world.model.count());
 }
 
 TYPED_TEST(DynamicTrees, ChangesAreSeenAfterTheCommitAndNotBefore) {
@@ -192,6 +209,14 @@ TYPED_TEST(DynamicTrees, AreTheSameInEveryFloatingPointMode) {
   }
 }
 #endif
+
+TYPED_TEST(DynamicTrees, AreTheSameOnEveryInstructionSet) {
+  const Indices expected = order_after_changes<TypeParam>(1, false);
+  for (const Isa isa : available_isas()) {
+    const UseIsa use(isa);
+    EXPECT_EQ(order_after_changes<TypeParam>(1, false) == expected, true) << name(isa);
+  }
+}
 
 TYPED_TEST(DynamicTrees, ListsDependOnTheCallsAlone) {
   const Indices expected = order_after_changes<TypeParam>(1, false);

@@ -57,6 +57,8 @@ TYPED_TEST(DynamicErrors, AnIdOfAnErasedBoundIsNoneOfAnother) {
   EXPECT_THAT(message_of<InvalidArgument>([&] { (void)tree[stale]; }), HasSubstr(erased));
   EXPECT_THAT(message_of<InvalidArgument>([&] { tree.erase(unknown); }), HasSubstr("is no id of this tree"));
   EXPECT_THAT(message_of<InvalidArgument>([&] { tree.erase(BoundId{}); }), HasSubstr("is no id of this tree"));
+  const BoundId future{stale.index, stale.generation + 9};
+  EXPECT_THAT(message_of<InvalidArgument>([&] { tree.erase(future); }), HasSubstr("is no id of this tree"));
   EXPECT_FALSE(tree.has(stale));
   EXPECT_EQ(tree.id_of(100000), BoundId{});
   // The index is used again, and the id is another one.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// The classes of dynamic trees and of their snapshots. An id is one integer: its index, and 2³² times its generation.
+/// The classes of dynamic trees and of their snapshots. An id is one integer: its index, and 2³² times its
+/// generation.
 #include <cstdint>
 #include <memory>
 #include <string>
