@@ -4,6 +4,8 @@
 ///
 /// A frame replaces one bound in a hundred (dynamic/S/frame), or ten (dynamic/S/ten), by bounds elsewhere, moves as
 /// many others by a tenth of their size, and commits.
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -107,6 +109,15 @@ class DynamicCrowd {
     tree.commit();
     for (std::size_t i = 0; i != come_.size(); ++i) ids_[frame.replaced[i]] = come_[i];
   }
+  /// Inserts boxes, so many before each commit.
+  void stream_in(std::span<const Box> boxes, std::size_t each) {
+    for (std::size_t first = 0; first < boxes.size(); first += each) {
+      const std::size_t size = std::min(each, boxes.size() - first);
+      come_.resize(size);
+      tree.insert(boxes.subspan(first, size), come_);
+      tree.commit();
+    }
+  }
   DynamicBoxTree tree;
 
  private:
@@ -184,14 +195,67 @@ void add_peers(Suite& suite, const std::string& name, std::size_t count, std::si
 #endif
 }
 
+/// Boxes that all move there and back, frame by frame: by a dynamic tree, and by one that is updated.
+template <class Move>
+void run_all_moving(benchmark::State& state, std::size_t count, const Move& move) {
+  select_isa(available_isas().back());
+  std::vector<Box> boxes[2] = {small_boxes(count), {}};
+  boxes[1] = boxes[0];
+  Random random(4201);
+  const float step = 0.002F * std::cbrt(1e6F / static_cast<float>(count));
+  for (Box& box : boxes[1]) {
+    for (std::size_t k = 0; k != 3; ++k) {
+      const float by = random.uniform(-step, step);
+      box.lo[k] += by;
+      box.hi[k] += by;
+    }
+  }
+  auto scene = move(boxes[0]);
+  std::size_t time = 0;
+  for (auto _ : state) {
+    time = 1 - time;
+    scene(boxes[time]);
+    benchmark::ClobberMemory();
+  }
+  state.SetItemsProcessed(state.iterations());
+}
+
+void add_all_moving(Suite& suite, const std::string& name, std::size_t count, const RunOptions& options) {
+  suite.add(
+      name, "",
+      [=](benchmark::State& state) {
+        run_all_moving(state, count, [](std::span<const Box> first) {
+          const auto tree = std::make_shared<DynamicBoxTree>();
+          std::vector<BoundId> ids(first.size());
+          tree->insert(first, ids);
+          tree->commit();
+          return [tree, ids = std::move(ids)](std::span<const Box> boxes) {
+            tree->move(ids, boxes);
+            tree->commit();
+          };
+        });
+      },
+      options);
+  suite.add(
+      name + "_box_tree", "",
+      [=](benchmark::State& state) {
+        run_all_moving(state, count, [](std::span<const Box> first) {
+          return [tree = std::make_shared<BoxTree>(first)](std::span<const Box> boxes) { tree->update(boxes); };
+        });
+      },
+      options);
+}
+
 /// Lists of swept boxes, of a tree that has seen many frames and of a new one of the same boxes.
 class AfterFrames {
  public:
-  AfterFrames(std::size_t count, std::size_t frames) : count_(count), frames_(frames) {}
+  /// `streamed`: the frames insert the boxes, a hundredth each; otherwise they replace and move some.
+  AfterFrames(std::size_t count, std::size_t frames, bool streamed)
+      : count_(count), frames_(frames), streamed_(streamed) {}
 
   void query(benchmark::State& state, const SweptSetting& setting, bool is_fresh) {
     select_isa(available_isas().back());
-    Scene& scene = scene_.get([&] { return Scene(count_, frames_); });
+    Scene& scene = scene_.get([&] { return Scene(count_, frames_, streamed_); });
     const SweptBoxes swept(queries, setting, std::cbrt(1e6F / static_cast<float>(count_)));
     std::vector<CompiledShaft> shafts(queries);
     compile_batch(swept.from.view(), swept.to.view(), shafts);
@@ -206,8 +270,10 @@ class AfterFrames {
  private:
   static constexpr std::size_t queries = 1024;
   struct Scene {
-    Scene(std::size_t count, std::size_t frames) : crowd(count), used(crowd.boxes) {
-      for (std::size_t f = 0; f != frames; ++f) used.make(crowd.next(count / 100));
+    Scene(std::size_t count, std::size_t frames, bool streamed)
+        : crowd(count), used(streamed ? std::span<const Box>() : std::span<const Box>(crowd.boxes)) {
+      if (streamed) used.stream_in(crowd.boxes, count / 100 + 1);
+      for (std::size_t f = 0; f != frames && !streamed; ++f) used.make(crowd.next(count / 100));
       fresh = BoxTree{std::span<const Box>(crowd.boxes)};
     }
     Crowd crowd;
@@ -216,6 +282,7 @@ class AfterFrames {
   };
   std::size_t count_;
   std::size_t frames_;
+  bool streamed_;
   Lazy<Scene> scene_;
 };
 
@@ -244,13 +311,16 @@ void declare_dynamic(Suite& suite, const Workload& /*workload*/) {
         },
         alone);
     suite.add_target(name + "frame", name + "new_tree", 3);
-    const auto after = std::make_shared<AfterFrames>(count, suite.quick() ? 50 : 300);
-    for (const SweptSetting& setting : swept_settings) {
-      const std::string query = name + "query/" + setting.name;
-      suite.add(query, "", [=](benchmark::State& state) { after->query(state, setting, false); }, {.brief = true});
-      suite.add(query + "_fresh", "", [=](benchmark::State& state) { after->query(state, setting, true); },
-                {.brief = true});
-      suite.add_time_ratio_target(query, query + "_fresh", 1.3);
+    add_all_moving(suite, name + "all", count, alone);
+    for (const bool streamed : {false, true}) {
+      const auto after = std::make_shared<AfterFrames>(count, suite.quick() ? 50 : 300, streamed);
+      for (const SweptSetting& setting : swept_settings) {
+        const std::string query = name + (streamed ? "streamed/" : "query/") + setting.name;
+        suite.add(query, "", [=](benchmark::State& state) { after->query(state, setting, false); }, {.brief = true});
+        suite.add(query + "_fresh", "", [=](benchmark::State& state) { after->query(state, setting, true); },
+                  {.brief = true});
+        if (!streamed) suite.add_time_ratio_target(query, query + "_fresh", 1.3);
+      }
     }
   }
 }

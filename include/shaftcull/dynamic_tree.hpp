@@ -90,7 +90,7 @@ struct TreeUpkeep {
 /// have blocks of their own. Runs in parallel, as building a tree does.
 ///
 /// *When not to use it.* If all bounds move in each frame, BoundsTree::update() is many times faster. If nothing comes
-/// or goes, queries of a BoundsTree are 10 to 30 % faster.
+/// or goes, queries of a BoundsTree are faster.
 ///
 /// *Threads.* One thread at a time makes changes and commits. Other threads take snapshots, and query them. Queries
 /// never wait. While a snapshot of the last commit exists, the next commit copies each block that it changes. Without
