@@ -70,7 +70,7 @@ TEST(FuzzCorpus, SeedsCutShortOrWithBytesChangedHoldIt) {
   for (const auto& file : corpus()) {
     SCOPED_TRACE(file.filename().string());
     const Bytes original = contents(file);
-    for (std::uint64_t i = 0; i != random_cases(30) && !HasFailure(); ++i) {
+    for (std::uint64_t i = 0; i != random_cases(12) && !HasFailure(); ++i) {
       Bytes bytes = original;
       if (random.one_in(8)) bytes.resize(random.below(static_cast<unsigned>(bytes.size() + 1)));
       for (unsigned changes = 1 + random.below(4); !bytes.empty() && changes != 0; --changes) {

@@ -18,6 +18,7 @@
 #include "instruction_sets.hpp"
 #include "message_of.hpp"
 #include "oracle/random.hpp"
+#include "sanitizers.hpp"
 #include "shaftcull/shaftcull.hpp"
 
 namespace shaftcull {
@@ -292,12 +293,13 @@ struct LitScene {
 };
 
 TEST(LitFraction, IsThatOfRaysInDoubles) {
+  constexpr std::size_t step = has_shadow_memory ? 6 : 1;
   std::size_t partly = 0;
   for (std::uint64_t seed = 1; seed != 3; ++seed) {
     const LitScene scene(seed);
     const std::vector<float> found = lit_of(scene.patches, scene.occluders, scene.lights, {.rays = 4096});
     Random random(seed);
-    for (std::size_t i = 0; i != scene.patches.size(); ++i) {
+    for (std::size_t i = 0; i < scene.patches.size(); i += step) {
       for (std::size_t j = 0; j != scene.lights.size(); ++j) {
         const double right = scene.lit(i, scene.lights[j], random);
         EXPECT_NEAR(found[i * scene.lights.size() + j], right, 0.04) << seed << ": " << i << ", " << j;
@@ -305,7 +307,7 @@ TEST(LitFraction, IsThatOfRaysInDoubles) {
       }
     }
   }
-  EXPECT_GT(partly, 100U);
+  EXPECT_GT(partly, 100U / step);
 }
 
 TEST(LitFraction, IsTheSameBitsOnEveryInstructionSetAndOneByOne) {
