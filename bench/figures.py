@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Compares the times that the README, headers and docs/which-call.md give with a run of the benchmark.
+"""Compares the times that the README, headers and some pages give with a run of the benchmark.
 
     ./cmake/run bench && bench/figures.py            compares, and fails if a time is more than half as long again
     bench/figures.py --words                         looks at the words only, which needs no benchmark
@@ -20,7 +20,8 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-FILES = ["README.md", "docs/which-call.md", "include/shaftcull/*.hpp", "include/shaftcull.h"]
+FILES = ["README.md", "docs/speed.md", "docs/when-to-use.md", "docs/which-call.md",
+         "include/shaftcull/*.hpp", "include/shaftcull.h"]
 NUMBER = r"\d+(?:\.\d+)?"
 TIME = re.compile(rf"(?<![\w.])({NUMBER})(?:(?: to |–)({NUMBER}))? (ns|µs|ms)\b")
 IN_NANOSECONDS = {"ns": 1, "µs": 1e3, "ms": 1e6}

@@ -20,6 +20,4 @@ compare() {
 }
 compare "environment variables" 1 "$(read_by_sources)" "$(listed 'Environment variables')"
 compare "CMake options" 10 "$(options)" "$(listed 'CMake options')"
-# README.md has the same options, and BUILD_SHARED_LIBS.
-compare "CMake options of README.md" 10 "$(options)" "$(sed -n 's/^| `\(SHAFTCULL_[A-Z0-9_]*\)` .*/\1/p' README.md | sort)"
 exit $result

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The README's table of questions, and the page of kinds: their lines of code compile as they stand there, and the
+/// The table of docs/questions.md, and the page of kinds: their lines of code compile as they stand there, and the
 /// shafts that they make keep what is in the way and cull what is not.
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace sc = shaftcull;
 
 namespace {
 
-// The names that the README uses.
+// The names that the table uses.
 const sc::Box patch{{0, 0, 0}, {1, 1, 0}};
 const sc::Box other_patch{{0, 0, 10}, {1, 1, 10}};
 const sc::Box body{{0, 0, 0}, {1, 1, 1}};
@@ -201,21 +201,21 @@ std::vector<std::string> code_in(const std::string& text) {
   return code;
 }
 
-TEST(ReadmeQuestions, AreAskedOnThePageOfKindsAsHere) {
+TEST(Questions, AreAskedOnThePageOfKindsAsHere) {
   const std::vector<std::string> code = code_in(sc::text_of(SHAFTCULL_VOLUMES_PAGE));
   for (const std::string& each : code) EXPECT_TRUE(is_asked_here(each)) << each << " is compiled by no test";
   EXPECT_GE(code.size(), 8U);
 }
 
-TEST(ReadmeQuestions, AreAskedInTheReadmeAsHere) {
-  const std::string readme = sc::text_of(SHAFTCULL_README);
-  const std::size_t begin = readme.find("| question | code |");
+TEST(Questions, AreAskedInTheTableAsHere) {
+  const std::string page = sc::text_of(SHAFTCULL_QUESTIONS_PAGE);
+  const std::size_t begin = page.find("| question | code |");
   ASSERT_NE(begin, std::string::npos);
-  const std::vector<std::string> code = code_in(readme.substr(begin, readme.find("\n\n", begin) - begin));
+  const std::vector<std::string> code = code_in(page.substr(begin, page.find("\n\n", begin) - begin));
   for (const std::string& each : code) EXPECT_TRUE(is_asked_here(each)) << each << " is compiled by no test";
-  const auto is_in_readme = [&](const char* each) { return std::find(code.begin(), code.end(), each) != code.end(); };
-  for (const Question& each : questions()) EXPECT_TRUE(is_in_readme(each.code)) << each.code;
-  for (const Answer& each : answers()) EXPECT_TRUE(is_in_readme(each.code)) << each.code;
+  const auto is_in_table = [&](const char* each) { return std::find(code.begin(), code.end(), each) != code.end(); };
+  for (const Question& each : questions()) EXPECT_TRUE(is_in_table(each.code)) << each.code;
+  for (const Answer& each : answers()) EXPECT_TRUE(is_in_table(each.code)) << each.code;
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The table of verbs in the README: every cell of it compiles with the arguments and the result that it promises, for
+/// The table of verbs in docs/questions.md: every cell of it compiles with the arguments and the result that it promises, for
 /// every kind of bounds and whatever holds them. What a verb does not take is refused when it is asked.
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@
 namespace shaftcull {
 namespace {
 
-/// The rows of the README's table, which the assertions below go through: the question, then the verbs of one shaft and
+/// The rows of that table, which the assertions below go through: the question, then the verbs of one shaft and
 /// of many.
 constexpr std::array<std::array<const char*, 3>, 12> verbs = {{
     {"which are kept: bits", "cull", "cull_many"},
@@ -180,12 +180,12 @@ std::string row_text(const std::array<const char*, 3>& row) {
   return text + " |";
 }
 
-TEST(Verbs, AreThoseOfTheTableInTheReadme) {
-  const std::string readme = text_of(SHAFTCULL_README);
-  ASSERT_FALSE(readme.empty()) << "cannot read " << SHAFTCULL_README;
+TEST(Verbs, AreThoseOfTheTable) {
+  const std::string page = text_of(SHAFTCULL_QUESTIONS_PAGE);
+  ASSERT_FALSE(page.empty()) << "cannot read " << SHAFTCULL_QUESTIONS_PAGE;
   std::string rows = "| question | one shaft | many shafts |\n|---|---|---|\n";
   for (const auto& row : verbs) rows += row_text(row) + "\n";
-  EXPECT_NE(readme.find(rows + "\n"), std::string::npos) << "the README lacks the table\n" << rows;
+  EXPECT_NE(page.find(rows + "\n"), std::string::npos) << "docs/questions.md lacks the table\n" << rows;
 }
 
 /// Two of each kind in the shaft, of every holder.
