@@ -67,6 +67,24 @@ TYPED_TEST(DynamicTrees, SnapshotsStayAsTheyAre) {
   for (const auto& [snapshot, model] : before) expect_equal(snapshot, model, world.random());
 }
 
+// A commit beside a snapshot leaves most blocks and pages to both. The next commits write where nobody else is.
+TYPED_TEST(DynamicTrees, SnapshotsStayAsTheyAreWhereCommitsTouchFewBlocks) {
+  World<TypeParam> world(15);
+  world.change({.count = 20000, .insertions = 10});
+  world.tree.commit();
+  const TreeSnapshot<TypeParam> snapshot = world.tree.snapshot();
+  const Model<TypeParam> model = world.model;
+  const BoundId some = model.ids.front();
+  world.tree.move(some, world.tree[some]);
+  world.tree.commit();
+  for (unsigned commit = 0; commit != 12; ++commit) {
+    world.change({.count = 4});
+    world.tree.commit();
+  }
+  expect_equal(snapshot, model, world.random());
+  expect_equal(world.tree.committed(), world.model, world.random());
+}
+
 TYPED_TEST(DynamicTrees, ASnapshotThatIsMovedFromHoldsNothing) {
   World<TypeParam> world(13);
   world.change({.count = 100, .insertions = 10});
