@@ -85,6 +85,48 @@ TYPED_TEST(DynamicTrees, SnapshotsStayAsTheyAreWhereCommitsTouchFewBlocks) {
   expect_equal(world.tree.committed(), world.model, world.random());
 }
 
+// Bounds of a full word go to another one, with indices that no change has named.
+TYPED_TEST(DynamicTrees, SnapshotsStayAsTheyAreWhereWordsAreSplit) {
+  World<TypeParam> world(16);
+  world.change({.count = 20000, .insertions = 10});
+  world.tree.commit();
+  std::vector<std::pair<TreeSnapshot<TypeParam>, Model<TypeParam>>> before;
+  for (std::uint32_t commit = 0; commit != 4; ++commit) {
+    before.emplace_back(world.tree.snapshot(), world.model);
+    const TypeParam bound = world.model.bounds[1000 * commit];
+    for (unsigned i = 0; i != 80; ++i) world.model.insert(world.tree.insert(bound), bound, all_layers);
+    world.tree.commit();
+  }
+  for (const auto& [snapshot, model] : before) expect_equal(snapshot, model, world.random());
+  expect_equal(world.tree.committed(), world.model, world.random());
+}
+
+constexpr Box around{{-1, -1, -1}, {101, 101, 101}};
+
+TEST(DynamicBoxes, ThatAreEmptyAreInNoShaft) {
+  DynamicBoxTree tree;
+  const CompiledShaft all = compile(around, around);
+  Random random(17);
+  std::vector<BoundId> ids;
+  for (unsigned i = 0; i != 500; ++i) ids.push_back(tree.insert(random.box(0, 100, 0.1F, 0.5F)));
+  tree.commit();
+  for (unsigned i = 0; i < 500; i += 5) tree.move(ids[i], empty_box);
+  tree.commit();
+  EXPECT_EQ(count(all, tree), 400U);
+  EXPECT_EQ(count_classified(all, tree).inside, 400U);
+}
+
+TEST(DynamicBoxes, AreFoundByTheirOwnLayer) {
+  DynamicBoxTree tree;
+  const CompiledShaft all = compile(around, around);
+  Random random(18);
+  for (unsigned layer = 0; layer != 32; ++layer) tree.insert(random.box(0, 100, 0.1F, 0.5F), 1U << layer);
+  tree.commit();
+  for (unsigned layer = 0; layer != 32; ++layer) {
+    EXPECT_EQ(count(all, tree, {.layer_mask = {1U << layer}}), 1U) << layer;
+  }
+}
+
 TYPED_TEST(DynamicTrees, ASnapshotThatIsMovedFromHoldsNothing) {
   World<TypeParam> world(13);
   world.change({.count = 100, .insertions = 10});
