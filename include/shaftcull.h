@@ -5,9 +5,10 @@
 /// and so on. This header defines what a call reads, writes, allocates and refuses.
 ///
 /// Objects. A *shaft* is an entry of an array, shaftcull_shafts, which aligns its memory itself. *Bounds*,
-/// shaftcull_bounds, are boxes, spheres or triangles in one of three holders: a view of the caller's own memory, a
-/// stream that owns a checked and aligned copy, or a tree. Every query takes bounds in any holder, with the same
-/// options, and gives the same answer. Each object is freed by the function that has its type's name and `_free`.
+/// shaftcull_bounds, are boxes, spheres or triangles in a holder: a view of the caller's own memory, a stream that owns
+/// a checked and aligned copy, a tree, a dynamic tree, or a snapshot of that. Every query takes bounds in any holder,
+/// with the same options, and gives the same answer. Each object is freed by the function that has its type's name and
+/// `_free`.
 ///
 /// One shaft or many. Most functions take a range of an array: `count` shafts from `first` on. They write one row or
 /// one element per shaft, in the order of the range. Positions in messages count from `first` on. A query about one
@@ -196,13 +197,6 @@ enum {
   SHAFTCULL_INSIDE = 2   /* All of it is. */
 };
 
-/// The form of a shaft that decides which boxes and spheres are outside. Answers are the same; speed is not.
-typedef uint32_t shaftcull_form;
-enum {
-  SHAFTCULL_FORM_SLAB = 0,  /* the shaft as a moving box: always faster */
-  SHAFTCULL_FORM_PLANES = 1 /* the paper's planes with near corners */
-};
-
 /// How triangles are tested (triangles.hpp).
 typedef uint32_t shaftcull_triangle_test;
 enum {
@@ -233,12 +227,11 @@ static inline uint64_t shaftcull_bit_words(uint64_t bounds) { return bounds / 64
 /// first point with a NaN. O(count); allocates a copy of the points.
 SHAFTCULL_API shaftcull_status shaftcull_box_around(const float* points, uint64_t count, shaftcull_box* box);
 
-/// The box moved by a vector of 3 floats, rounded outwards. Refuses a vector that is not finite. O(1); no allocation.
-SHAFTCULL_API shaftcull_status shaftcull_translated(const shaftcull_box* box, const float by[3], shaftcull_box* moved);
-
-/// The box with every face moved out by a distance, rounded outwards. Refuses a negative or infinite distance. O(1); no
-/// allocation.
-SHAFTCULL_API shaftcull_status shaftcull_inflated(const shaftcull_box* box, float by, shaftcull_box* inflated);
+/// The box moved by a vector of 3 floats, with every face then moved out by a distance, each rounded outwards. NULL for
+/// `by` moves nothing, and so does a distance of 0. Refuses a vector that is not finite, and a negative or infinite
+/// distance. O(1); no allocation.
+SHAFTCULL_API shaftcull_status shaftcull_translated(const shaftcull_box* box, const float by[3], float inflated_by,
+                                                    shaftcull_box* moved);
 
 /// The planes of a view-projection matrix, normals outwards: up to six of them into `planes`, and their number into
 /// `count`. The matrix has 4 rows of 4 floats, row after row, and maps column vectors; transpose a matrix of another
@@ -287,16 +280,12 @@ SHAFTCULL_API shaftcull_status shaftcull_hull_create(const float* points, uint64
 SHAFTCULL_API shaftcull_status shaftcull_hull_of_frustum(const float matrix[16], shaftcull_clip_depth depth,
                                                          shaftcull_hull_test test, shaftcull_hull** hull);
 
-/// All that can cast a shadow into `view` by a light at a point of 3 floats, with the test of the view. Refuses a light
-/// that is not finite, and a view of 32 points and directions. Allocates about 17 KB, and takes
-/// half the time of a hull, or a sixth if the light is within the view. Freed by shaftcull_hull_free().
-SHAFTCULL_API shaftcull_status shaftcull_hull_of_casters(const shaftcull_hull* view, const float light[3],
+/// All that can cast a shadow into `view`, with the test of the view. The light is x, y, z and 1 for a lamp at a point,
+/// or x, y, z and 0 for a sun in a direction, which is not 0. Refuses a light that is not finite, a fourth number that
+/// is neither 1 nor 0, and a view of 32 points and directions. Allocates about 17 KB, and takes half the time of a
+/// hull, or a sixth if the light is within the view. Freed by shaftcull_hull_free().
+SHAFTCULL_API shaftcull_status shaftcull_hull_of_casters(const shaftcull_hull* view, const float light[4],
                                                          shaftcull_hull** hull);
-
-/// All that can cast a shadow into `view` by a sun in a direction of 3 floats, which is not 0. Otherwise as
-/// shaftcull_hull_of_casters().
-SHAFTCULL_API shaftcull_status shaftcull_hull_of_casters_towards(const shaftcull_hull* view, const float towards_sun[3],
-                                                                 shaftcull_hull** hull);
 
 /// Frees a hull; does nothing for NULL. Arrays of shafts keep what they need of it.
 SHAFTCULL_API void shaftcull_hull_free(shaftcull_hull* hull);
@@ -326,9 +315,11 @@ enum {
 /// The holder of bounds.
 typedef uint32_t shaftcull_holder;
 enum {
-  SHAFTCULL_VIEW = 1,   /* the caller's own memory */
-  SHAFTCULL_STREAM = 2, /* a checked, aligned copy */
-  SHAFTCULL_TREE = 3    /* a sorted copy, under a tree */
+  SHAFTCULL_VIEW = 1,         /* the caller's own memory */
+  SHAFTCULL_STREAM = 2,       /* a checked, aligned copy */
+  SHAFTCULL_TREE = 3,         /* a sorted copy, under a tree */
+  SHAFTCULL_DYNAMIC_TREE = 4, /* boxes or spheres that come, go and move, under a tree */
+  SHAFTCULL_SNAPSHOT = 5      /* a state of a dynamic tree, which never changes */
 };
 
 /// Bounds of one kind in one holder.
@@ -403,10 +394,6 @@ static inline shaftcull_source shaftcull_source_of(const shaftcull_bounds* bound
 SHAFTCULL_API shaftcull_status shaftcull_view_create(shaftcull_bound_kind kind, const float* const* streams,
                                                      uint64_t count, shaftcull_bounds** bounds);
 
-/// Points a view at other memory, of the same kind of bounds. Layers stay as they are: set them again if the count has
-/// changed. O(1); no allocation.
-SHAFTCULL_API shaftcull_status shaftcull_view_set(shaftcull_bounds* view, const float* const* streams, uint64_t count);
-
 /// A stream of the bounds of a source. If a source of boxes, spheres or triangles has a count and no data (NULL in
 /// `first` and `second`), they are empty bounds, which no shaft keeps, for shaftcull_bounds_update() to fill.
 /// SHAFTCULL_BAD_BOUND for the first bound that has a NaN, lo > hi, a negative radius or half extent, or is not finite
@@ -419,8 +406,10 @@ SHAFTCULL_API shaftcull_status shaftcull_stream_create(const shaftcull_source* s
 /// per bound, and about 2 % more. Freed by shaftcull_bounds_free().
 SHAFTCULL_API shaftcull_status shaftcull_tree_create(const shaftcull_source* source, shaftcull_bounds** tree);
 
-/// A copy, layers included: a view of the same memory, or a deep copy of a stream or tree. O(count). Freed by
-/// shaftcull_bounds_free().
+/// A copy, layers included: a view of the same memory, or a deep copy of a stream or tree, O(count). The copy of a
+/// dynamic tree is a snapshot of its last commit, O(1): it shares memory with the tree, never changes, and may be
+/// queried and freed by other threads while the tree changes. So this call is safe from any thread at any time for a
+/// dynamic tree. Freed by shaftcull_bounds_free().
 SHAFTCULL_API shaftcull_status shaftcull_bounds_copy(const shaftcull_bounds* bounds, shaftcull_bounds** copy);
 
 /// Frees bounds; does nothing for NULL. The memory of a view stays the caller's.
@@ -439,22 +428,23 @@ SHAFTCULL_API shaftcull_status shaftcull_bounds_update(shaftcull_bounds* bounds,
 /// into layer l, and out of the layers that it was in. If an index comes twice, the last entry counts; the bounds must
 /// have layers already. With NULL for `indices` the call is about all bounds: `count` is their number, layers[i] is for
 /// bound i, and NULL for `layers` removes all layers. Layers belong to indices, stay when bounds are updated, and are
-/// no part of a source. Refuses a tree of triangles. O(count); the first layers of all bounds allocate 4 bytes per
-/// bound, and so may the first call with indices for a tree, which is O(n).
+/// no part of a source. For a dynamic tree, queries see new layers after the next commit, and only the call with
+/// indices is for it. Refuses a tree of triangles, and a snapshot. O(count); the first layers of all bounds allocate 4
+/// bytes per bound, and so may the first call with indices for a tree, which is O(n).
 SHAFTCULL_API shaftcull_status shaftcull_bounds_set_layers(shaftcull_bounds* bounds, const uint32_t* indices,
                                                            const uint32_t* layers, uint64_t count);
 
-/// The state of bounds. Pointers are valid until the bounds are freed, layers are set, a view is pointed at other
-/// memory, or a tree is rebuilt or reordered; updates show.
+/// The state of bounds. Pointers are valid until the bounds are freed, layers are set, or a tree is rebuilt or
+/// reordered; updates show. A dynamic tree and a snapshot show the last commit, and have no pointers.
 typedef struct shaftcull_bounds_info {
-  uint64_t count;            /* of bounds */
-  uint64_t memory_bytes;     /* held by the library, padding included: for a view those of layers alone */
+  uint64_t count;        /* of bounds; of a dynamic tree or snapshot: all indices are below it */
+  uint64_t memory_bytes; /* held by the library, padding included: for a view those of layers alone, for a snapshot 0 */
   const float* streams[9];   /* the floats, as in shaftcull_view_create(), a tree's in its order; NULL in the rest */
   const uint32_t* order;     /* of a tree: order[p] is the caller's index of leaf p; NULL if there are no leaves */
   const uint32_t* layers;    /* layers[i] are those of bound i, or of a tree's leaf i; NULL if there are none */
   shaftcull_box box;         /* around a tree; the empty box for a view, a stream, and a tree that needs a refit */
   shaftcull_bound_kind kind; /* boxes, spheres or triangles */
-  shaftcull_holder holder;   /* view, stream or tree */
+  shaftcull_holder holder;   /* what holds them */
   uint32_t needs_refit;      /* 1 if a tree was updated by index since the last refit */
   uint32_t reserved;         /* 0 */
 } shaftcull_bounds_info;
@@ -472,16 +462,71 @@ SHAFTCULL_API shaftcull_status shaftcull_tree_update_some(shaftcull_bounds* tree
 /// Fits the nodes of a tree of boxes or spheres to bounds that were updated by index. O(updated), at most O(n).
 SHAFTCULL_API shaftcull_status shaftcull_tree_refit(shaftcull_bounds* tree);
 
-/// Sorts the bounds of a tree of boxes or spheres as they are now. Indices stay, the order changes. Time and allocation
-/// as for shaftcull_tree_create().
+/// Sorts the bounds of a tree of boxes or spheres as they are now. Indices stay, the order changes. A dynamic tree
+/// commits its changes, too. Time and allocation as for shaftcull_tree_create().
 SHAFTCULL_API shaftcull_status shaftcull_tree_rebuild(shaftcull_bounds* tree);
 
 /// Gives the bounds of a tree of boxes or spheres new indices, in its order: the index of leaf p becomes p. O(n).
 SHAFTCULL_API shaftcull_status shaftcull_tree_reorder(shaftcull_bounds* tree);
 
-/// How much larger the nodes of a tree of boxes or spheres have become since it was built, 1 at first; at 2 or 3 a
-/// rebuild pays. SHAFTCULL_NEEDS_REFIT for a tree that does. O(n / 64); no allocation.
-SHAFTCULL_API shaftcull_status shaftcull_tree_sah_ratio(const shaftcull_bounds* tree, double* sah_ratio);
+/// What a tree of boxes or spheres costs and holds. Counters of upkeep are 0 for trees that are not dynamic.
+typedef struct shaftcull_tree_info {
+  double growth;        /* how much larger nodes have become since bounds were sorted; at 2 or 3 a rebuild pays */
+  uint64_t bound_count; /* of bounds that there are; for a dynamic tree with all changes, committed or not */
+  uint64_t blocks;      /* of a dynamic tree: groups of up to 4,096 bounds, which are sorted together */
+  uint64_t waiting;     /* bounds in blocks that have grown enough to be sorted again */
+  uint64_t sorted_last; /* bounds that the last commit sorted */
+} shaftcull_tree_info;
+
+/// Describes a tree of boxes or spheres, dynamic or not. SHAFTCULL_NEEDS_REFIT for a tree that does. O(n / 64), for a
+/// dynamic tree O(n / 4096); no allocation.
+SHAFTCULL_API shaftcull_status shaftcull_tree_describe(const shaftcull_bounds* tree, shaftcull_tree_info* info);
+
+/* ---- Dynamic trees: bounds that come, go and move ---- */
+
+/* Changes wait for shaftcull_dynamic_tree_commit(), and queries see the last commit (dynamic_tree.hpp). One thread at a
+   time makes changes, commits, and queries the tree. Other threads make snapshots, by shaftcull_bounds_copy(), and
+   query these. Queries, exclusions and candidates name bounds by `index` of their ids; an index without a bound is in
+   no shaft. A call that fails changes nothing. */
+
+/// A bound of a dynamic tree. The index of an erased bound is used again, with the next generation: an id never means
+/// another bound.
+typedef struct shaftcull_bound_id {
+  uint32_t index;      /* what queries return */
+  uint32_t generation; /* how often the index was used before */
+} shaftcull_bound_id;
+
+/// An empty dynamic tree of SHAFTCULL_BOXES or SHAFTCULL_SPHERES. A commit sorts up to `sorted_per_change` bounds again
+/// for each change, to keep queries fast; 2 suits most programs, and 0 sorts only what is too full or too empty.
+/// Refuses a number that is negative or not finite. O(1). Freed by shaftcull_bounds_free().
+SHAFTCULL_API shaftcull_status shaftcull_dynamic_tree_create(shaftcull_bound_kind kind, double sorted_per_change,
+                                                             shaftcull_bounds** tree);
+
+/// Inserts the bounds of a source, which are of the tree's kind, and writes the id of bound i to ids[i]. `layers` has
+/// one set of bits per bound, or is NULL: all layers. SHAFTCULL_BAD_BOUND as for shaftcull_stream_create(). Refuses
+/// sources of centres and of existing bounds, and more than 2²⁹ bounds. O(count); allocates 40 bytes per bound until
+/// the commit, and a copy of the bounds for the time of the call.
+SHAFTCULL_API shaftcull_status shaftcull_dynamic_tree_insert(shaftcull_bounds* tree, const shaftcull_source* source,
+                                                             const uint32_t* layers, shaftcull_bound_id* ids);
+
+/// Erases bounds. Refuses an id that has no bound, or occurs twice. O(count); allocates as for insertions.
+SHAFTCULL_API shaftcull_status shaftcull_dynamic_tree_erase(shaftcull_bounds* tree, const shaftcull_bound_id* ids,
+                                                            uint64_t count);
+
+/// Gives bound ids[i] the value of the source at i, or moves it by displacements[i], 3 floats each: one of `source` and
+/// `displacements` is NULL. With a source, the last value of an id that occurs twice counts; displacements refuse such
+/// an id. Refuses an id that has no bound. Sources, errors and allocation as for insertions.
+SHAFTCULL_API shaftcull_status shaftcull_dynamic_tree_move(shaftcull_bounds* tree, const shaftcull_bound_id* ids,
+                                                           uint64_t count, const shaftcull_source* source,
+                                                           const float* displacements);
+
+/// Makes all changes visible to queries. O(changes), and the upkeep; in parallel.
+SHAFTCULL_API shaftcull_status shaftcull_dynamic_tree_commit(shaftcull_bounds* tree);
+
+/// Writes the values of bounds, with all changes, to `bounds`: a shaftcull_box or a shaftcull_sphere for each id, as
+/// the tree's kind says. Refuses an id that has no bound. O(count); no allocation.
+SHAFTCULL_API shaftcull_status shaftcull_dynamic_tree_read(const shaftcull_bounds* tree, const shaftcull_bound_id* ids,
+                                                           uint64_t count, void* bounds);
 
 /* ---- Arrays of shafts ---- */
 
@@ -510,7 +555,6 @@ typedef struct shaftcull_shafts_info {
   uint32_t has_planes;       /* 1 if its joining planes are there */
   shaftcull_contact contact; /* whether it keeps bounds that only touch it */
   uint32_t is_hull;          /* 1 if it is a convex hull */
-  shaftcull_form form;       /* what decides outside */
 } shaftcull_shafts_info;
 
 /// Describes a shaft. O(1); no allocation.
@@ -541,19 +585,20 @@ SHAFTCULL_API shaftcull_status shaftcull_shafts_set_between(shaftcull_shafts* sh
                                                             const shaftcull_batch_planes* planes,
                                                             shaftcull_contact contact);
 
-/// Forms the shafts that `count` bodies sweep over, each with its displacement of 3 floats. Each body has as many
-/// planes as the others, `plane_count` in all and 16 per body at most. Contact is closed. SHAFTCULL_BAD_BOUND for the
-/// first shaft that cannot be formed. About 60 ns per shaft.
+/// Where the movement of a body ends.
+typedef uint32_t shaftcull_sweep;
+enum {
+  SHAFTCULL_SWEPT = 0,         /* after its displacement */
+  SHAFTCULL_SWEPT_INFINITE = 1 /* never: it moves on in that direction, which is not 0 */
+};
+
+/// Forms the shafts that `count` bodies sweep over, each with its displacement or direction of 3 floats. Each body has
+/// as many planes as the others, `plane_count` in all and 16 per body at most. Contact is closed. SHAFTCULL_BAD_BOUND
+/// for the first shaft that cannot be formed. About 60 ns per shaft.
 SHAFTCULL_API shaftcull_status shaftcull_shafts_set_swept(shaftcull_shafts* shafts, uint64_t first, uint64_t count,
                                                           const shaftcull_source* bodies, const float* displacements,
-                                                          const shaftcull_plane* planes, uint64_t plane_count);
-
-/// Forms the shafts that bodies sweep over without end, each in its direction of 3 floats, which is not 0. Otherwise as
-/// shaftcull_shafts_set_swept().
-SHAFTCULL_API shaftcull_status shaftcull_shafts_set_swept_infinite(shaftcull_shafts* shafts, uint64_t first,
-                                                                   uint64_t count, const shaftcull_source* bodies,
-                                                                   const float* directions,
-                                                                   const shaftcull_plane* planes, uint64_t plane_count);
+                                                          shaftcull_sweep sweep, const shaftcull_plane* planes,
+                                                          uint64_t plane_count);
 
 /// Forms the shadows of occluders by lights, for pairs of a light and an occluder, which must be apart. A shadow
 /// reaches up to `*reach` times the distance of its occluder, 1 or more, or without end if `reach` is NULL. Contact is
@@ -577,12 +622,6 @@ SHAFTCULL_API shaftcull_status shaftcull_shafts_complete(shaftcull_shafts* shaft
 /// About 10 ns per shaft; no allocation.
 SHAFTCULL_API shaftcull_status shaftcull_shafts_set_contact(shaftcull_shafts* shafts, uint64_t first, uint64_t count,
                                                             shaftcull_contact contact);
-
-/// Chooses the form that decides outside; that of planes is for comparisons with the paper, and its pending planes are
-/// computed. Hulls have one form, and stay as they are. Refuses shafts that were never formed, by their position. No
-/// allocation.
-SHAFTCULL_API shaftcull_status shaftcull_shafts_set_form(shaftcull_shafts* shafts, uint64_t first, uint64_t count,
-                                                         shaftcull_form form);
 
 /* ---- Queries ---- */
 
@@ -1101,11 +1140,6 @@ SHAFTCULL_API const char* shaftcull_active_isa(void);
 /// Overrides the environment variable SHAFTCULL_ISA. Answers do not depend on it. Refuses a name that is not available,
 /// with a message that lists those that are.
 SHAFTCULL_API shaftcull_status shaftcull_select_isa(const char* name);
-
-/// The value of the environment variable SHAFTCULL_ISA, empty if it is not set; and the reason why the library cannot
-/// follow it, empty if it can. Cut off after 255 and 511 bytes. Both are valid until this thread's next call. No other
-/// thread may change the environment meanwhile.
-SHAFTCULL_API shaftcull_status shaftcull_isa_asked(const char** asked, const char** refusal);
 
 #ifdef __cplusplus
 }

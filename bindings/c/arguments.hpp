@@ -92,9 +92,6 @@ template <class Enum>
 [[nodiscard]] inline PatchSides as_patch_sides(shaftcull_patch_sides sides) {
   return as_enumerator(sides, PatchSides::both, "sides", "SHAFTCULL_PATCH_FRONT and SHAFTCULL_PATCH_BOTH");
 }
-[[nodiscard]] inline Form as_form(shaftcull_form form) {
-  return as_enumerator(form, Form::planes, "form", "SHAFTCULL_FORM_SLAB and SHAFTCULL_FORM_PLANES");
-}
 [[nodiscard]] inline TriangleTest as_triangle_test(shaftcull_triangle_test test) {
   if (test == SHAFTCULL_TRIANGLES_EXACT) return TriangleTest::exact;
   if (test == SHAFTCULL_TRIANGLES_BY_VERTICES) return TriangleTest::vertices;

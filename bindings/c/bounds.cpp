@@ -4,7 +4,9 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "arguments.hpp"
 #include "sources.hpp"
@@ -28,14 +30,22 @@ namespace {
 
 template <class Holder>
 constexpr shaftcull_bound_kind kind_of() {
-  using Streams = decltype(streams_of(std::declval<const Holder&>()));
-  if (std::same_as<Streams, BoxView>) return SHAFTCULL_BOXES;
-  return std::same_as<Streams, SphereView> ? SHAFTCULL_SPHERES : SHAFTCULL_TRIANGLES;
+  if constexpr (Dynamic<Holder> || Snapshot<Holder>) {
+    using State = std::remove_cvref_t<decltype(state_of(std::declval<const Holder&>()))>;
+    return std::same_as<State, shaftcull::BoxTreeSnapshot> ? SHAFTCULL_BOXES : SHAFTCULL_SPHERES;
+  } else {
+    using Streams = decltype(streams_of(std::declval<const Holder&>()));
+    if (std::same_as<Streams, BoxView>) return SHAFTCULL_BOXES;
+    return std::same_as<Streams, SphereView> ? SHAFTCULL_SPHERES : SHAFTCULL_TRIANGLES;
+  }
 }
 
 template <class Holder>
 constexpr shaftcull_holder holder_of() {
-  return View<Holder> ? SHAFTCULL_VIEW : Stream<Holder> ? SHAFTCULL_STREAM : SHAFTCULL_TREE;
+  if (View<Holder>) return SHAFTCULL_VIEW;
+  if (Stream<Holder>) return SHAFTCULL_STREAM;
+  if (Dynamic<Holder>) return SHAFTCULL_DYNAMIC_TREE;
+  return Snapshot<Holder> ? SHAFTCULL_SNAPSHOT : SHAFTCULL_TREE;
 }
 
 /// A view of the caller's streams.
@@ -103,7 +113,8 @@ std::string shaftcull::binding::name_of(const shaftcull_bounds& bounds) {
   return std::visit(
       []<class Holder>(const Holder& /*holder*/) {
         static constexpr const char* kinds[] = {"boxes", "spheres", "triangles"};
-        static constexpr const char* holders[] = {"a view of ", "a stream of ", "a tree of "};
+        static constexpr const char* holders[] = {"a view of ", "a stream of ", "a tree of ", "a dynamic tree of ",
+                                                  "a snapshot of "};
         return std::string(holders[holder_of<Holder>() - 1]) + kinds[kind_of<Holder>() - 1];
       },
       bounds.holder);
@@ -131,20 +142,6 @@ shaftcull_status shaftcull_view_create(shaftcull_bound_kind kind, const float* c
   });
 }
 
-shaftcull_status shaftcull_view_set(shaftcull_bounds* view, const float* const* streams, uint64_t count) {
-  return guarded([&] {
-    std::visit(
-        [&]<class Holder>(Holder& holder) {
-          if constexpr (View<Holder>) {
-            holder = as_view<Holder>(streams, count);
-          } else {
-            refuse("view is " + name_of(*view) + "; only a view can be pointed at other memory");
-          }
-        },
-        given(view, "view").holder);
-  });
-}
-
 shaftcull_status shaftcull_stream_create(const shaftcull_source* source, shaftcull_bounds** bounds) {
   return guarded([&] {
     shaftcull_bounds*& out = given(bounds, "bounds");
@@ -163,7 +160,16 @@ shaftcull_status shaftcull_tree_create(const shaftcull_source* source, shaftcull
 shaftcull_status shaftcull_bounds_copy(const shaftcull_bounds* bounds, shaftcull_bounds** copy) {
   return guarded([&] {
     shaftcull_bounds*& out = given(copy, "copy");
-    out = new shaftcull_bounds(given(bounds, "bounds"));
+    const shaftcull_bounds& all = given(bounds, "bounds");
+    out = std::visit(
+        [&all]<class Holder>(const Holder& holder) {
+          if constexpr (Dynamic<Holder>) {
+            return new shaftcull_bounds{holder.snapshot()};
+          } else {
+            return new shaftcull_bounds{holder, all.layers};
+          }
+        },
+        all.holder);
   });
 }
 
@@ -210,7 +216,18 @@ shaftcull_status shaftcull_bounds_set_layers(shaftcull_bounds* bounds, const uin
         indices == nullptr ? as_span_if_given(layers, count, "layers") : as_span(layers, count, "layers");
     std::visit(
         [&]<class Holder>(Holder& holder) {
-          if constexpr (std::same_as<Holder, TriangleTree>) {
+          if constexpr (Dynamic<Holder>) {
+            if (indices == nullptr) refuse("indices is NULL; for a dynamic tree it must name the bounds of the layers");
+            std::vector<shaftcull::BoundId> ids;
+            for (std::size_t i = 0; i != which.size(); ++i) {
+              ids.push_back(holder.id_of(which[i]));
+              if (ids.back().index != shaftcull::BoundId::none) continue;
+              refuse("indices[" + std::to_string(i) + "] = " + std::to_string(which[i]) + " has no bound");
+            }
+            for (std::size_t i = 0; i != ids.size(); ++i) holder.set_layers(ids[i], from[i]);
+          } else if constexpr (Snapshot<Holder>) {
+            refuse("bounds are " + name_of(all) + ", which never changes");
+          } else if constexpr (std::same_as<Holder, TriangleTree>) {
             refuse("bounds are " + name_of(all) + ", which has no layers; a view or stream of triangles may have some");
           } else if (indices != nullptr) {
             if constexpr (ChangingTree<Holder>) {
@@ -240,16 +257,21 @@ shaftcull_status shaftcull_bounds_describe(const shaftcull_bounds* bounds, shaft
     std::visit(
         [&]<class Holder>(const Holder& holder) {
           constexpr float infinity = std::numeric_limits<float>::infinity();
-          const auto streams = streams_of(holder);
           out = {};
-          out.count = streams.count;
           out.memory_bytes = all.layers.size() * sizeof(uint32_t);
-          std::copy(streams.stream.begin(), streams.stream.end(), out.streams);
           out.layers = first_of(std::span(all.layers));
           out.box = {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
           out.kind = kind_of<Holder>();
           out.holder = holder_of<Holder>();
-          if constexpr (!View<Holder>) out.memory_bytes += holder.memory_bytes();
+          if constexpr (Dynamic<Holder> || Snapshot<Holder>) {
+            out.count = state_of(holder).index_end();
+            out.box = converted<shaftcull_box>(state_of(holder).box());
+          } else {
+            const auto streams = streams_of(holder);
+            out.count = streams.count;
+            std::copy(streams.stream.begin(), streams.stream.end(), out.streams);
+          }
+          if constexpr (requires { holder.memory_bytes(); }) out.memory_bytes += holder.memory_bytes();
           if constexpr (ChangingTree<Holder>) {
             out.layers = first_of(holder.layers());
             out.needs_refit = holder.needs_refit() ? 1 : 0;

@@ -21,17 +21,14 @@ shaftcull_status shaftcull_box_around(const float* points, uint64_t count, shaft
   });
 }
 
-shaftcull_status shaftcull_translated(const shaftcull_box* box, const float by[3], shaftcull_box* moved) {
+shaftcull_status shaftcull_translated(const shaftcull_box* box, const float by[3], float inflated_by,
+                                      shaftcull_box* moved) {
   return guarded([&] {
     shaftcull_box& out = given(moved, "moved");
-    out = converted<shaftcull_box>(shaftcull::translated(as_box(box, "box"), as_vector(by, "by")));
-  });
-}
-
-shaftcull_status shaftcull_inflated(const shaftcull_box* box, float by, shaftcull_box* inflated) {
-  return guarded([&] {
-    shaftcull_box& out = given(inflated, "inflated");
-    out = converted<shaftcull_box>(shaftcull::inflated(as_box(box, "box"), by));
+    Box result = as_box(box, "box");
+    if (by != nullptr) result = shaftcull::translated(result, as_vector(by, "by"));
+    if (inflated_by != 0) result = shaftcull::inflated(result, inflated_by);
+    out = converted<shaftcull_box>(result);
   });
 }
 

@@ -60,18 +60,15 @@ shaftcull_status shaftcull_hull_of_frustum(const float matrix[16], shaftcull_cli
   });
 }
 
-shaftcull_status shaftcull_hull_of_casters(const shaftcull_hull* view, const float light[3], shaftcull_hull** hull) {
+shaftcull_status shaftcull_hull_of_casters(const shaftcull_hull* view, const float light[4], shaftcull_hull** hull) {
   return guarded([&] {
     shaftcull_hull*& out = given(hull, "hull");
-    out = new_hull(shaftcull::casters(*given(view, "view").hull, as_vector(light, "light")));
-  });
-}
-
-shaftcull_status shaftcull_hull_of_casters_towards(const shaftcull_hull* view, const float towards_sun[3],
-                                                   shaftcull_hull** hull) {
-  return guarded([&] {
-    shaftcull_hull*& out = given(hull, "hull");
-    out = new_hull(shaftcull::casters_towards(*given(view, "view").hull, as_vector(towards_sun, "towards_sun")));
+    const shaftcull::ConvexHull& of = *given(view, "view").hull;
+    const shaftcull::Vec3 at = as_vector(light, "light");
+    if (light[3] != 0 && light[3] != 1) {
+      refuse("light[3] = " + std::to_string(light[3]) + " is neither 1, for a lamp at a point, nor 0, for a sun");
+    }
+    out = new_hull(light[3] == 0 ? casters_towards(of, at) : casters(of, at));
   });
 }
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// Instruction sets.
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "arguments.hpp"
@@ -17,13 +15,6 @@ namespace {
 
 /// Names end with a 0, as those of the C++ interface are literals.
 const char* text(Isa isa) noexcept { return shaftcull::name(isa).data(); }
-
-/// The last answer to a thread about the environment. Plain memory, so that the thread may ask while it ends.
-struct Choice {
-  char asked[256];
-  char refusal[512];
-};
-constinit thread_local Choice last_choice = {"", ""};
 
 }  // namespace
 
@@ -49,18 +40,6 @@ shaftcull_status shaftcull_select_isa(const char* name) {
       refuse("name = \"" + std::string(asked) + "\" is no instruction set; this machine has " + choice);
     }
     shaftcull::select_isa(*isa);
-  });
-}
-
-shaftcull_status shaftcull_isa_asked(const char** asked, const char** refusal) {
-  return guarded([&] {
-    const char*& asked_out = given(asked, "asked");
-    const char*& refusal_out = given(refusal, "refusal");
-    const shaftcull::IsaChoice choice = shaftcull::isa_choice();
-    std::snprintf(last_choice.asked, sizeof last_choice.asked, "%s", choice.asked.c_str());
-    std::snprintf(last_choice.refusal, sizeof last_choice.refusal, "%s", choice.refusal.c_str());
-    asked_out = last_choice.asked;
-    refusal_out = last_choice.refusal;
   });
 }
 

@@ -26,7 +26,8 @@ struct shaftcull_shafts {
 struct shaftcull_bounds {
   std::variant<shaftcull::BoxView, shaftcull::SphereView, shaftcull::TriangleView, shaftcull::BoxStream,
                shaftcull::SphereStream, shaftcull::TriangleStream, shaftcull::BoxTree, shaftcull::SphereTree,
-               shaftcull::TriangleTree>
+               shaftcull::TriangleTree, shaftcull::DynamicBoxTree, shaftcull::DynamicSphereTree,
+               shaftcull::BoxTreeSnapshot, shaftcull::SphereTreeSnapshot>
       holder;
   /// The layers of a view or stream: none, or one set for each bound that there was when they were set. Trees have
   /// their own.
@@ -59,7 +60,23 @@ concept ChangingTree = requires(const Holder& holder) {
   holder.needs_refit();
 };
 
-/// The floats of any holder.
+/// A tree of bounds that come and go, and a state of it.
+template <class Holder>
+concept Dynamic = std::same_as<Holder, DynamicBoxTree> || std::same_as<Holder, DynamicSphereTree>;
+template <class Holder>
+concept Snapshot = std::same_as<Holder, BoxTreeSnapshot> || std::same_as<Holder, SphereTreeSnapshot>;
+
+/// What queries of one of these see.
+template <Dynamic Holder>
+const auto& state_of(const Holder& tree) {
+  return tree.committed();
+}
+template <Snapshot Holder>
+const Holder& state_of(const Holder& snapshot) {
+  return snapshot;
+}
+
+/// The floats of any other holder.
 template <class Holder>
 auto streams_of(const Holder& holder) {
   if constexpr (View<Holder>) {

@@ -120,7 +120,6 @@ shaftcull_status shaftcull_shafts_describe(const shaftcull_shafts* shafts, uint6
     out.formed = compiled.formed() ? 1 : 0;
     out.has_planes = compiled.has_planes() ? 1 : 0;
     out.contact = static_cast<uint32_t>(compiled.contact());
-    out.form = static_cast<uint32_t>(compiled.form());
     out.is_hull = !shafts->hulls.empty() && shafts->hulls[static_cast<std::size_t>(shaft)] != nullptr ? 1 : 0;
   });
 }
@@ -138,16 +137,20 @@ shaftcull_status shaftcull_shafts_set_between(shaftcull_shafts* shafts, uint64_t
 
 shaftcull_status shaftcull_shafts_set_swept(shaftcull_shafts* shafts, uint64_t first, uint64_t count,
                                             const shaftcull_source* bodies, const float* displacements,
-                                            const shaftcull_plane* planes, uint64_t plane_count) {
-  return set_moving(shafts, first, count, bodies, displacements, "displacements", planes, plane_count,
-                    [](const auto&... arguments) { shaftcull::swept_batch(arguments...); });
-}
-
-shaftcull_status shaftcull_shafts_set_swept_infinite(shaftcull_shafts* shafts, uint64_t first, uint64_t count,
-                                                     const shaftcull_source* bodies, const float* directions,
-                                                     const shaftcull_plane* planes, uint64_t plane_count) {
-  return set_moving(shafts, first, count, bodies, directions, "directions", planes, plane_count,
-                    [](const auto&... arguments) { shaftcull::swept_infinite_batch(arguments...); });
+                                            shaftcull_sweep sweep, const shaftcull_plane* planes,
+                                            uint64_t plane_count) {
+  return set_moving(
+      shafts, first, count, bodies, displacements, "displacements", planes, plane_count,
+      [sweep](const auto&... arguments) {
+        switch (sweep) {
+          case SHAFTCULL_SWEPT:
+            return shaftcull::swept_batch(arguments...);
+          case SHAFTCULL_SWEPT_INFINITE:
+            return shaftcull::swept_infinite_batch(arguments...);
+          default:
+            refuse("sweep = " + std::to_string(sweep) + " is neither SHAFTCULL_SWEPT nor SHAFTCULL_SWEPT_INFINITE");
+        }
+      });
 }
 
 shaftcull_status shaftcull_shafts_set_shadow(shaftcull_shafts* shafts, uint64_t first, uint64_t count,
@@ -184,11 +187,6 @@ shaftcull_status shaftcull_shafts_complete(shaftcull_shafts* shafts, uint64_t fi
 shaftcull_status shaftcull_shafts_set_contact(shaftcull_shafts* shafts, uint64_t first, uint64_t count,
                                               shaftcull_contact contact) {
   return guarded([&] { shaftcull::set_contact(shafts_from(shafts, first, count), as_contact(contact)); });
-}
-
-shaftcull_status shaftcull_shafts_set_form(shaftcull_shafts* shafts, uint64_t first, uint64_t count,
-                                           shaftcull_form form) {
-  return guarded([&] { shaftcull::set_form(shafts_from(shafts, first, count), as_form(form)); });
 }
 
 }  // extern "C"

@@ -51,8 +51,16 @@ Source as_source(const shaftcull_source* source, const char* name) {
   const shaftcull_source& s = given(source, name);
   check_fields(s, name);
   if (s.kind == SHAFTCULL_SOURCE_BOUNDS) {
-    return std::visit([](const auto& holder) -> Source { return streams_of(holder); },
-                      given(s.bounds, "source.bounds").holder);
+    const shaftcull_bounds& bounds = given(s.bounds, "source.bounds");
+    return std::visit(
+        [&bounds]<class Holder>(const Holder& holder) -> Source {
+          if constexpr (Dynamic<Holder> || Snapshot<Holder>) {
+            refuse("source.bounds are " + name_of(bounds) + ", which is no source");
+          } else {
+            return streams_of(holder);
+          }
+        },
+        bounds.holder);
   }
   const auto require = [&](const void* records, const char* field) {
     if (records != nullptr || s.count == 0) return;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
-/// Trees of boxes and spheres, whose bounds move.
+/// Trees of boxes and spheres, whose bounds move. Those of bounds that come and go are in dynamic_trees.cpp, too.
 #include <cstdint>
+#include <type_traits>
+#include <utility>
+#include <variant>
 
 #include "arguments.hpp"
 #include "sources.hpp"
@@ -10,13 +13,13 @@ using namespace shaftcull::binding;
 
 namespace {
 
-/// Calls use(tree) if these are a tree of boxes or spheres, and refuses them otherwise. Bounds may be const.
-template <class Bounds, class Use>
-shaftcull_status use_tree(Bounds* bounds, Use&& use) noexcept {
+/// Calls use(tree) for a tree of the kinds that `takes` has, and refuses other bounds. They may be const.
+template <template <class> class takes, class Bounds, class Use>
+shaftcull_status use_tree_of(Bounds* bounds, Use&& use) noexcept {
   return guarded([&] {
     std::visit(
         [&]<class Holder>(Holder& holder) {
-          if constexpr (ChangingTree<Holder>) {
+          if constexpr (takes<std::remove_const_t<Holder>>::value) {
             use(holder);
           } else {
             refuse("tree is " + name_of(*bounds) + "; this call takes a tree of boxes or spheres");
@@ -24,6 +27,19 @@ shaftcull_status use_tree(Bounds* bounds, Use&& use) noexcept {
         },
         given(bounds, "tree").holder);
   });
+}
+template <class Holder>
+using TakesChanging = std::bool_constant<ChangingTree<Holder>>;
+template <class Holder>
+using TakesAny = std::bool_constant<ChangingTree<Holder> || Dynamic<Holder>>;
+
+template <class Bounds, class Use>
+shaftcull_status use_tree(Bounds* bounds, Use&& use) noexcept {
+  return use_tree_of<TakesChanging>(bounds, std::forward<Use>(use));
+}
+template <class Bounds, class Use>
+shaftcull_status use_any_tree(Bounds* bounds, Use&& use) noexcept {
+  return use_tree_of<TakesAny>(bounds, std::forward<Use>(use));
 }
 
 }  // namespace
@@ -47,15 +63,23 @@ shaftcull_status shaftcull_tree_refit(shaftcull_bounds* tree) {
 }
 
 shaftcull_status shaftcull_tree_rebuild(shaftcull_bounds* tree) {
-  return use_tree(tree, [](auto& bounds) { bounds.rebuild(); });
+  return use_any_tree(tree, [](auto& bounds) { bounds.rebuild(); });
 }
 
 shaftcull_status shaftcull_tree_reorder(shaftcull_bounds* tree) {
   return use_tree(tree, [](auto& bounds) { bounds.reorder(); });
 }
 
-shaftcull_status shaftcull_tree_sah_ratio(const shaftcull_bounds* tree, double* sah_ratio) {
-  return use_tree(tree, [&](const auto& bounds) { given(sah_ratio, "sah_ratio") = bounds.sah_ratio(); });
+shaftcull_status shaftcull_tree_describe(const shaftcull_bounds* tree, shaftcull_tree_info* info) {
+  return use_any_tree(tree, [&]<class Tree>(const Tree& bounds) {
+    shaftcull_tree_info& out = given(info, "info");
+    if constexpr (Dynamic<Tree>) {
+      const shaftcull::TreeUpkeep upkeep = bounds.upkeep();
+      out = {upkeep.growth, bounds.count(), upkeep.blocks, upkeep.waiting, upkeep.sorted_last};
+    } else {
+      out = {bounds.sah_ratio(), bounds.size(), 0, 0, 0};
+    }
+  });
 }
 
 }  // extern "C"

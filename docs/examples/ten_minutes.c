@@ -69,7 +69,7 @@ int main(void) {
   const float step[3] = {0.5F, 0, 0};
   uint64_t count = 0;
   for (int frame = 0; frame != 3; ++frame) {
-    for (int i = 0; i != 3; ++i) must(shaftcull_translated(&scene[i], step, &scene[i]));
+    for (int i = 0; i != 3; ++i) must(shaftcull_translated(&scene[i], step, 0, &scene[i]));
     must(shaftcull_bounds_update(tree, 0, &source)); /* takes no memory, sorts nothing */
     /* Form shafts again: nanoseconds. */
     must(shaftcull_shafts_set_between(shaft, 0, 1, &from, &to, NULL, NULL,
@@ -77,9 +77,9 @@ int main(void) {
     must(shaftcull_count(shaft, 0, 1, tree, NULL, &count));
     printf("frame %d: %u\n", frame, (unsigned)count);
   }
-  double sah_ratio = 1;
-  must(shaftcull_tree_sah_ratio(tree, &sah_ratio));
-  if (sah_ratio > 2) must(shaftcull_tree_rebuild(tree)); /* when much has moved far */
+  shaftcull_tree_info about;
+  must(shaftcull_tree_describe(tree, &about));
+  if (about.growth > 2) must(shaftcull_tree_rebuild(tree)); /* when much has moved far */
   /* [[end]] */
 
   /* [[kinds]] */
@@ -91,8 +91,9 @@ int main(void) {
   const float corners[12] = {0, 0, 0, 4, 0, 0, 0, 9, 0, 5, 5, 5};
   const shaftcull_source body = shaftcull_boxes(&crate, 1);
   const shaftcull_source first = shaftcull_boxes(&scene[0], 1);
-  must(shaftcull_shafts_set_swept(kinds, 0, 1, &body, travel, NULL, 0));
-  must(shaftcull_shafts_set_swept_infinite(kinds, 1, 1, &to, towards_sun, NULL, 0));
+  must(shaftcull_shafts_set_swept(kinds, 0, 1, &body, travel, SHAFTCULL_SWEPT, NULL, 0));
+  must(shaftcull_shafts_set_swept(kinds, 1, 1, &to, towards_sun, SHAFTCULL_SWEPT_INFINITE, NULL,
+                                  0));
   must(shaftcull_shafts_set_shadow(kinds, 2, 1, &from, &first, NULL, NULL, NULL));
   shaftcull_hull* hull = NULL;
   must(shaftcull_hull_create(corners, 4, 0, NULL, 0, SHAFTCULL_HULL_EXACT, &hull));

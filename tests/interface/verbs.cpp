@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// The table of verbs in docs/questions.md: every cell of it compiles with the arguments and the result that it promises, for
-/// every kind of bounds and whatever holds them. What a verb does not take is refused when it is asked.
+/// The table of verbs in docs/questions.md: every cell of it compiles with the arguments and the result that it
+/// promises, for every kind of bounds and whatever holds them. What a verb does not take is refused when it is asked.
 #include <gtest/gtest.h>
 
 #include <array>

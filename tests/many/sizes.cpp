@@ -31,12 +31,13 @@ constexpr std::size_t shaft_counts[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 63, 64, 65};
 constexpr std::size_t most_shafts = 65;
 constexpr std::size_t special_shafts[] = {0, 1, 2, 3, 4, 64};  // see mixed_shafts()
 
-/// 0 to 200 and around every power of two up to 8,192; where a sanitizer makes each slow, every seventh of the first and
-/// around every other power.
+/// 0 to 200 and around every power of two up to 8,192; where a sanitizer makes each slow, every seventh of the first
+/// and around every other power.
 std::vector<std::size_t> bound_counts() {
   std::vector<std::size_t> counts;
   for (std::size_t count = 0; count <= 200; count += has_shadow_memory ? 7 : 1) counts.push_back(count);
-  for (std::size_t power = 256; power <= 8192; power *= has_shadow_memory ? 4 : 2) counts.insert(counts.end(), {power - 1, power, power + 1});
+  for (std::size_t power = 256; power <= 8192; power *= has_shadow_memory ? 4 : 2)
+    counts.insert(counts.end(), {power - 1, power, power + 1});
   for (const std::size_t other : {1500U, 2100U, 3000U, 6145U}) counts.push_back(other);
   return counts;
 }

@@ -155,9 +155,8 @@ void compare_trees(Random& random, const Shafts& shafts, const std::vector<Bound
 #endif
   tree.refit();
   ok(shaftcull_tree_refit(bounds.get()));
-  double sah_ratio = 0;
-  ok(shaftcull_tree_sah_ratio(bounds.get(), &sah_ratio));
-  EXPECT_EQ(sah_ratio, tree.sah_ratio());
+  EXPECT_EQ(described(shaftcull_tree_describe, static_cast<const shaftcull_bounds*>(bounds.get())).growth,
+            tree.sah_ratio());
   compare_now(few);
   tree.rebuild();
   ok(shaftcull_tree_rebuild(bounds.get()));
@@ -172,6 +171,45 @@ void compare_trees(Random& random, const Shafts& shafts, const std::vector<Bound
   ok(shaftcull_bounds_set_layers(bounds.get(), nullptr, nullptr, tree.size()));
   EXPECT_EQ(described(bounds.get()).layers, nullptr);
   compare_now(few);
+}
+
+/// A dynamic tree, through the same changes in both languages.
+template <class Bound>
+void compare_dynamic_trees(Random& random, const Shafts& shafts, const std::vector<Bound>& values, Kind kind) {
+  const std::uint32_t kind_in_c = kind == Kind::boxes ? SHAFTCULL_BOXES : SHAFTCULL_SPHERES;
+  DynamicTree<Bound> tree;
+  const BoundsHandle bounds = made<BoundsHandle>(shaftcull_dynamic_tree_create, kind_in_c, 2.0);
+  const Indices layers = some_layers(random, values.size());
+  const auto in_c = as_c(values);
+  const shaftcull_source source = source_of(in_c);
+  std::vector<BoundId> ids(values.size());
+  std::vector<shaftcull_bound_id> ids_in_c(values.size());
+  tree.insert(values, ids, layers);
+  ok(shaftcull_dynamic_tree_insert(bounds.get(), &source, layers.data(), ids_in_c.data()));
+  const std::vector<Options> each = each_option(random, shafts.cpp.size(), values.size(), kind, TriangleTest::exact);
+  const auto compare_now = [&](const std::vector<Options>& options) {
+    tree.commit();
+    ok(shaftcull_dynamic_tree_commit(bounds.get()));
+    EXPECT_EQ(described(bounds.get()).count, tree.committed().index_end());
+    EXPECT_EQ(std::bit_cast<Box>(described(bounds.get()).box), tree.committed().box());
+    compare({shafts, bounds.get(), tree, kind, true}, options);
+  };
+  compare_now(each);
+  const std::vector<Options> all = all_at_once(each, true);
+  const BoundsHandle snapshot =
+      made<BoundsHandle>(shaftcull_bounds_copy, static_cast<const shaftcull_bounds*>(bounds.get()));
+  const auto snapshot_in_cpp = tree.snapshot();
+  tree.erase(std::span(ids).first(50));
+  ok(shaftcull_dynamic_tree_erase(bounds.get(), ids_in_c.data(), 50));
+  tree.move(std::span(ids).subspan(60, 40), std::span(values).first(40));
+  const auto first = std::vector(in_c.begin(), in_c.begin() + 40);
+  const shaftcull_source first_source = source_of(first);
+  ok(shaftcull_dynamic_tree_move(bounds.get(), &ids_in_c[60], 40, &first_source, nullptr));
+  const std::vector<Vec3> by(30, Vec3{0.5F, -1, 0});
+  tree.move_by(std::span(ids).subspan(150, 30), by);
+  ok(shaftcull_dynamic_tree_move(bounds.get(), &ids_in_c[150], 30, nullptr, by[0].data()));
+  compare_now(all);
+  compare({shafts, snapshot.get(), snapshot_in_cpp, kind, true}, all);
 }
 
 class CAgreesWithCpp : public testing::TestWithParam<Shape> {};
@@ -205,6 +243,8 @@ TEST_P(CAgreesWithCpp, OnBoxesAndSpheresInViewsStreamsAndTrees) {
   compare_flat(random, shafts, c_sphere_stream.get(), sphere_stream.view(), Kind::spheres);
   compare_trees(random, shafts, boxes, Kind::boxes);
   compare_trees(random, shafts, spheres, Kind::spheres);
+  compare_dynamic_trees(random, shafts, boxes, Kind::boxes);
+  compare_dynamic_trees(random, shafts, spheres, Kind::spheres);
 }
 
 TEST_P(CAgreesWithCpp, OnTriangles) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// Shafts of all kinds, made in both languages.
+#include <array>
 #include <vector>
 
 #include "agreement.hpp"
@@ -66,9 +67,9 @@ void make_shafts(Random& random, Shafts& shafts) {
   const shaftcull_source first_b = at(cb, 0);
   const shaftcull_source second_a = at(ca, 1);
   const shaftcull_source second_b = at(cb, 1);
-  ok(shaftcull_shafts_set_swept(c, next, 1, &first_a, vectors[0].data(), cplanes.data(), 1));
+  ok(shaftcull_shafts_set_swept(c, next, 1, &first_a, vectors[0].data(), SHAFTCULL_SWEPT, cplanes.data(), 1));
   add(swept(a[0], vectors[0], std::span(planes).first(1)));
-  ok(shaftcull_shafts_set_swept_infinite(c, next, 1, &second_a, vectors[1].data(), nullptr, 0));
+  ok(shaftcull_shafts_set_swept(c, next, 1, &second_a, vectors[1].data(), SHAFTCULL_SWEPT_INFINITE, nullptr, 0));
   add(swept_infinite(a[1], vectors[1]));
   ok(shaftcull_shafts_set_shadow(c, next, 1, &first_a, &first_b, nullptr, nullptr, nullptr));
   add(shadow(a[0], b[0]));
@@ -81,10 +82,10 @@ void make_shafts(Random& random, Shafts& shafts) {
   const BoxStream last_stream_b(std::span<const Box>(b).last(2));
   const std::span<const Vec3> last_vectors = std::span(vectors).last(2);
   const float* const last_floats = &floats[3 * (pairs - 2)];
-  ok(shaftcull_shafts_set_swept(c, next, 2, &last_a, last_floats, cplanes.data(), 4));
+  ok(shaftcull_shafts_set_swept(c, next, 2, &last_a, last_floats, SHAFTCULL_SWEPT, cplanes.data(), 4));
   swept_batch(last_stream_a, last_vectors, batch, std::span(planes).first(4));
   add_batch();
-  ok(shaftcull_shafts_set_swept_infinite(c, next, 2, &last_a, last_floats, nullptr, 0));
+  ok(shaftcull_shafts_set_swept(c, next, 2, &last_a, last_floats, SHAFTCULL_SWEPT_INFINITE, nullptr, 0));
   swept_infinite_batch(last_stream_a, last_vectors, batch);
   add_batch();
   ok(shaftcull_shafts_set_shadow(c, next, 2, &last_a, &last_b, nullptr, nullptr, nullptr));
@@ -129,8 +130,9 @@ void make_shafts(Random& random, Shafts& shafts) {
                             std::uint32_t{SHAFTCULL_HULL_CONSERVATIVE}),
            frustum(matrix, ClipDepth::zero_to_one, HullTest::conservative));
   const ConvexHull same_view = frustum(matrix, ClipDepth::minus_one_to_one);
-  add_hull(made<HullHandle>(shaftcull_hull_of_casters, view.get(), vectors[3].data()), casters(same_view, vectors[3]));
-  add_hull(made<HullHandle>(shaftcull_hull_of_casters_towards, view.get(), vectors[3].data()),
+  const auto light = [&](float w) { return std::array{vectors[3][0], vectors[3][1], vectors[3][2], w}; };
+  add_hull(made<HullHandle>(shaftcull_hull_of_casters, view.get(), light(1).data()), casters(same_view, vectors[3]));
+  add_hull(made<HullHandle>(shaftcull_hull_of_casters, view.get(), light(0).data()),
            casters_towards(same_view, vectors[3]));
   ASSERT_EQ(next, std::uint64_t{all}) << "the array has as many shafts as were made";
 

@@ -77,20 +77,6 @@ TEST(CErrors, AreCutOffIfTheyAreLong) {
   EXPECT_LT(message.size(), name.size());
 }
 
-TEST(CErrors, SoIsWhatTheEnvironmentAsksFor) {
-  const char* const before = std::getenv("SHAFTCULL_ISA");
-  const std::string kept = before == nullptr ? "" : before;
-  set_environment("SHAFTCULL_ISA", std::string(5000, 'z').c_str());
-  const char* asked = nullptr;
-  const char* refusal = nullptr;
-  const shaftcull_status status = shaftcull_isa_asked(&asked, &refusal);
-  set_environment("SHAFTCULL_ISA", before == nullptr ? nullptr : kept.c_str());
-  ok(status);
-  EXPECT_EQ(asked, std::string(255, 'z'));
-  EXPECT_EQ(std::string(refusal).size(), 511U);
-  EXPECT_THAT(refusal, testing::StartsWith("SHAFTCULL_ISA=zzz"));
-}
-
 TEST(CErrors, OfSeveralShaftsSayWhichBoxes) {
   const std::vector<Box> good{{{0, 0, 0}, {1, 1, 1}}, {{2, 0, 0}, {3, 1, 1}}};
   const std::vector<Box> bad{{{0, 0, 0}, {1, 1, 1}}, {{2, 0, 0}, {1, 1, 1}}};

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Checks the C header: every function in it is documented and called by the C program, and those that are not inline are on record
-# (the test c.symbols checks that functions on record are defined and exported); and that every verb of the table in README.md is
-# there. Given: HEADER, RECORD, PROGRAM, README.
+# (the test c.symbols checks that functions on record are defined and exported); and that every verb of the table in docs/questions.md is
+# there. Given: HEADER, RECORD, PROGRAM, QUESTIONS.
 cmake_minimum_required(VERSION 3.22)
 
 file(READ ${HEADER} text)
@@ -43,7 +43,7 @@ endforeach()
 
 # Verbs are the names in all cells of the table after the first: | question | `cull` | `cull_many` |. In C, `cull` is for many shafts,
 # too, unless there is a `…_many`.
-file(READ ${README} page)
+file(READ ${QUESTIONS} page)
 string(REGEX REPLACE "[][;]" "," page "${page}")
 string(REGEX MATCHALL "\n\\| [^|\n]+( \\| (–|`[a-z_]+`))+ \\|" rows "${page}")
 set(verbs 0)
@@ -53,12 +53,12 @@ foreach(row IN LISTS rows)
     string(REGEX REPLACE "`|_many`$" "" name "${name}")
     math(EXPR verbs "${verbs} + 1")
     if(NOT shaftcull_${name} IN_LIST declared)
-      message(SEND_ERROR "${HEADER} has no shaftcull_${name}, but ${README} has the verb ${name}")
+      message(SEND_ERROR "${HEADER} has no shaftcull_${name}, but ${QUESTIONS} has the verb ${name}")
     endif()
   endforeach()
 endforeach()
 if(verbs LESS 20)
-  message(FATAL_ERROR "only ${verbs} verbs were found in ${README}")
+  message(FATAL_ERROR "only ${verbs} verbs were found in ${QUESTIONS}")
 endif()
 
 # Generators of bindings read it: no bit-fields, no macros with code, no other headers than stdint.h.

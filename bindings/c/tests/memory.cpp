@@ -142,6 +142,8 @@ TEST(CMemory, ThatRunsOutIsAStatusAndChangesNothing) {
   const std::uint32_t candidate = 1;
   const shaftcull_undecided_pairs undecided{&pair, 1, &first_candidate[0], &candidate};
   float fraction = 0;
+  const BoundsHandle dynamic = made<BoundsHandle>(shaftcull_dynamic_tree_create, std::uint32_t{SHAFTCULL_BOXES}, 2.0);
+  std::vector<shaftcull_bound_id> ids(300);
   std::vector<shaftcull_kept_counts> counts(300);
   shaftcull_sight_counts sights{};
   std::vector<std::uint64_t> bits(300 * shaftcull_bit_words(300));
@@ -193,6 +195,14 @@ TEST(CMemory, ThatRunsOutIsAStatusAndChangesNothing) {
        [&] { ok(shaftcull_bounds_set_layers(stream.get(), nullptr, nullptr, layers.size())); }},
       {[&] { return shaftcull_list_many(shafts.get(), 0, 300, tree.get(), nullptr, lists.get()); }, nothing},
       {[&] { return shaftcull_count_classified(shafts.get(), 0, 300, tree.get(), nullptr, counts.data()); }, nothing},
+      {[&] { return shaftcull_dynamic_tree_insert(dynamic.get(), &source, nullptr, ids.data()); },
+       [&] { ok(shaftcull_dynamic_tree_commit(dynamic.get())); }},
+      {[&] {
+         const shaftcull_status status = shaftcull_dynamic_tree_move(dynamic.get(), ids.data(), 300, &source, nullptr);
+         return status == SHAFTCULL_OK ? shaftcull_dynamic_tree_commit(dynamic.get()) : status;
+       },
+       nothing},
+      {[&] { return shaftcull_dynamic_tree_erase(dynamic.get(), ids.data(), 300); }, nothing},
       {[&] { return shaftcull_shafts_set_hull(shafts.get(), 7, hull.get()); }, nothing},
       {[&] { return shaftcull_shafts_set_between(shafts.get(), 0, 300, &source, &source, nullptr, nullptr, 0); },
        nothing}};

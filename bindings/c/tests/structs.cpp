@@ -25,10 +25,12 @@ static_assert(sizeof(shaftcull_index_pair) == sizeof(IndexPair));
 template <class Struct>
 constexpr bool has_no_padding = std::has_unique_object_representations_v<Struct>;
 static_assert(has_no_padding<shaftcull_index_pair> && has_no_padding<shaftcull_kept_counts> &&
-              has_no_padding<shaftcull_pair_block> && has_no_padding<shaftcull_sight_counts>);
+              has_no_padding<shaftcull_bound_id> && has_no_padding<shaftcull_pair_block> &&
+              has_no_padding<shaftcull_sight_counts>);
 static_assert(sizeof(shaftcull_contact_found) == 8 + 4 + 4 + 12 + 4);  // floats have no unique representation
-static_assert(sizeof(shaftcull_shafts_info) == 2 * 24 + 5 * 4);
+static_assert(sizeof(shaftcull_shafts_info) == 2 * 24 + 4 * 4);
 static_assert(sizeof(void*) != 8 || sizeof(shaftcull_bounds_info) == 2 * 8 + 11 * 8 + 24 + 4 * 4);
+static_assert(sizeof(shaftcull_tree_info) == 8 + 4 * 8);
 static_assert(sizeof(void*) != 8 || sizeof(shaftcull_hull_info) == 2 * 8 + 2 * 8 + 24);
 static_assert(sizeof(void*) != 8 || sizeof(shaftcull_occluder_info) == 8 + 8 + 24);
 static_assert(sizeof(void*) != 8 || (has_no_padding<shaftcull_lists_info> && has_no_padding<shaftcull_patches_info>));
@@ -47,7 +49,6 @@ constexpr bool same(std::uint32_t c, Enum cpp) {
 static_assert(same(SHAFTCULL_CONTACT_CLOSED, Contact::closed) && same(SHAFTCULL_CONTACT_OPEN, Contact::open));
 static_assert(same(SHAFTCULL_OUTSIDE, Answer::outside) && same(SHAFTCULL_OVERLAP, Answer::overlap) &&
               same(SHAFTCULL_INSIDE, Answer::inside));
-static_assert(same(SHAFTCULL_FORM_SLAB, Form::slab) && same(SHAFTCULL_FORM_PLANES, Form::planes));
 static_assert(same(SHAFTCULL_DEPTH_ZERO_TO_ONE, ClipDepth::zero_to_one) &&
               same(SHAFTCULL_DEPTH_MINUS_ONE_TO_ONE, ClipDepth::minus_one_to_one));
 static_assert(same(SHAFTCULL_SIGHT_UNDECIDED, Sight::undecided) && same(SHAFTCULL_SIGHT_CLEAR, Sight::clear) &&

@@ -84,4 +84,4 @@ add_test(NAME c.symbols
           -P ${c_tests}/symbols.cmake)
 add_test(NAME c.header
   COMMAND ${CMAKE_COMMAND} -D HEADER=${PROJECT_SOURCE_DIR}/include/shaftcull.h -D RECORD=${c_tests}/symbols.txt
-          -D PROGRAM=${c_tests}/every_function.c -D README=${PROJECT_SOURCE_DIR}/README.md -P ${c_tests}/header.cmake)
+          -D PROGRAM=${c_tests}/every_function.c -D QUESTIONS=${PROJECT_SOURCE_DIR}/docs/questions.md -P ${c_tests}/header.cmake)

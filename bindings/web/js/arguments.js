@@ -41,6 +41,18 @@ export function asIndices(values, name) {
   });
 }
 
+/** Ids of bounds of a dynamic tree, as it returns them. */
+export function asIds(values) {
+  if (values instanceof BigUint64Array) return values;
+  if (!Array.isArray(values)) throw new TypeError('ids is no BigUint64Array, and no array of bigints');
+  return BigUint64Array.from(values, (value, i) => {
+    if (typeof value !== 'bigint' || value < 0n || value >> 64n !== 0n) {
+      throw new TypeError(`ids[${i}] = ${shown(value)} is no id of a bound: insert() returns them`);
+    }
+    return value;
+  });
+}
+
 /** true or false. */
 export function asBoolean(value, name) {
   if (typeof value !== 'boolean') throw new TypeError(`${name} = ${shown(value)} is neither true nor false`);

@@ -7,8 +7,12 @@ import {oneShaft} from './shafts.js';
 import {boundsSource, kindName} from './sources.js';
 
 /** The result of use(info), of a shaftcull_bounds_info. */
-const describe = ({module, handle}, use) =>
+export const describe = ({module, handle}, use) =>
     module.scratch((scratch) => use(scratch.described('bounds_info', 'shaftcull_bounds_describe', handle)));
+
+/** The fields of a shaftcull_tree_info. */
+export const describeTree = ({module, handle}) =>
+    module.scratch((scratch) => scratch.described('tree_info', 'shaftcull_tree_describe', handle));
 
 /** Bounds of all kinds. */
 class Bounds extends Held {
@@ -113,7 +117,7 @@ class Bounds extends Held {
 }
 
 /** What spheres and boxes can be asked, too. */
-class SphereBounds extends Bounds {
+export class SphereBounds extends Bounds {
   firstContact(shaft, options) {
     return one(this, shaft, options).contacts('shaftcull_first_contact')[0];
   }
@@ -136,7 +140,7 @@ class SphereBounds extends Bounds {
 }
 
 /** What boxes can be asked, too, as solids. */
-class BoxBounds extends SphereBounds {
+export class BoxBounds extends SphereBounds {
   occluded(shaft, options) {
     return one(this, shaft, options).bits('shaftcull_occluded')[0] !== 0;
   }
@@ -219,10 +223,7 @@ const asMovingTree = (Base) => class extends asTree(Base) {
   }
 
   get sahRatio() {
-    const {module} = this;
-    const ratio = module.resultsOf(8);
-    module.call('shaftcull_tree_sah_ratio', this.handle, ratio);
-    return module.view.getFloat64(ratio, true);
+    return describeTree(this).growth;
   }
 };
 

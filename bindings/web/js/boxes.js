@@ -17,10 +17,10 @@ export function boxAround(module, points) {
 }
 
 export const translated = (module, box, by) =>
-    boxFrom(module, 'shaftcull_translated', asFloatsOf(box, 6, 'box'), asFloatsOf(by, 3, 'by'));
+    boxFrom(module, 'shaftcull_translated', asFloatsOf(box, 6, 'box'), asFloatsOf(by, 3, 'by'), 0);
 
 export const inflated = (module, box, by) =>
-    boxFrom(module, 'shaftcull_inflated', asFloatsOf(box, 6, 'box'), asFloatsOf([by], 1, 'by')[0]);
+    boxFrom(module, 'shaftcull_translated', asFloatsOf(box, 6, 'box'), 0, asFloatsOf([by], 1, 'by')[0]);
 
 export function inscribedBox(module, corners) {
   const floats = asFloats(corners, 3, 'corners');

@@ -91,6 +91,11 @@ export class Module {
     return new Float64Array(this.view.buffer, pointer, count).slice();
   }
 
+  /** Ids of bounds of a dynamic tree. */
+  ids(pointer, count) {
+    return new BigUint64Array(this.view.buffer, pointer, count).slice();
+  }
+
   /** 64-bit numbers below 2⁵³. */
   numbers(pointer, count) {
     const words = new Uint32Array(this.view.buffer, pointer, 2 * count);

@@ -39,9 +39,6 @@ export type ClipDepth = 'zero_to_one' | 'minus_one_to_one';
  */
 export type HullTest = 'exact' | 'conservative';
 
-/** The form of a shaft that decides which boxes and spheres are outside: `slab` is faster, `planes` the paper's. */
-export type Form = 'slab' | 'planes';
-
 /** The answer of a shaft for one bound. */
 export type Answer = 'outside' | 'overlap' | 'inside';
 
@@ -111,6 +108,14 @@ export interface Shaftcull {
   triangleStream(triangles: Floats, indices?: ArrayLike<number>): TriangleStream;
   /** Triangles under a tree. */
   triangleTree(triangles: Floats, indices?: ArrayLike<number>): TriangleTree;
+
+  /**
+   * A tree of boxes that are inserted, erased and moved, empty at first. A commit sorts up to `sortedPerChange` boxes
+   * again for each change, 2 by default, so that queries stay fast.
+   */
+  dynamicBoxTree(options?: {sortedPerChange?: number}): DynamicBoxTree;
+  /** The same of spheres. */
+  dynamicSphereTree(options?: {sortedPerChange?: number}): DynamicSphereTree;
 
   /**
    * Shafts between box i of `a` and box i of `b`, one of which may be a single box for all; or, with `pairs`, between
@@ -231,11 +236,9 @@ export interface Shafts extends Volume {
    * `concatenate([hull])`.
    */
   setContact(contact: Contact): void;
-  /** Chooses the form of all shafts. Answers stay the same. Hulls have one form, and stay as they are. */
-  setForm(form: Form): void;
   /**
    * Computes the joining planes of all shafts, which otherwise some queries compute each time. It pays for shafts of
-   * several queries about bounds that are inside, about spheres, or in the form of planes.
+   * several queries about bounds that are inside, or about spheres.
    */
   complete(): void;
   /** Whether this one solid box hides one end of a shaft from the other. For shafts between two boxes. */
@@ -253,7 +256,6 @@ export interface ShaftInfo {
   readonly a: Float32Array;
   readonly b: Float32Array;
   readonly contact: Contact;
-  readonly form: Form;
   /** Whether its joining planes are computed. */
   readonly hasPlanes: boolean;
   /** Whether it is a convex hull, which `concatenate()` put there; a and b are then the box around it. */
@@ -451,6 +453,58 @@ export interface MovingTree extends Tree {
 export interface SphereTree extends SphereBounds, MovingTree {}
 
 export interface BoxTree extends BoxBounds, MovingTree {}
+
+/** The state of a dynamic tree at one commit. It never changes, whatever becomes of the tree. */
+export interface Snapshot {
+  /** The box around all bounds; the empty box if there are none. */
+  readonly box: Float32Array;
+}
+export interface BoxTreeSnapshot extends BoxBounds, Snapshot {}
+export interface SphereTreeSnapshot extends SphereBounds, Snapshot {}
+
+/**
+ * Bounds that are inserted, erased and moved. Changes wait for `commit()`, and queries see the last commit. An id stays
+ * valid until its bound is erased, and never means another bound. Queries return indices: `Number(id & 0xffffffffn)`.
+ * `length` is one more than the greatest index; an index without a bound is in no shaft. Floats are as in streams.
+ */
+export interface DynamicTree {
+  /** The box around all bounds of the last commit. */
+  readonly box: Float32Array;
+  /** Inserts bounds, and returns their ids. Bound i is in layers[i], or in all layers. */
+  insert(bounds: Floats, layers?: ArrayLike<number>): BigUint64Array;
+  /** Erases bounds. An id that has no bound, or occurs twice, is an error. */
+  erase(ids: Ids): void;
+  /** Gives bound ids[i] the value at i of `bounds`. */
+  move(ids: Ids, bounds: Floats): void;
+  /** Moves bound ids[i] by the vector at i, 3 floats each. */
+  moveBy(ids: Ids, displacements: Floats): void;
+  /** Puts bounds into other layers, by index. Queries see them after the next commit. */
+  setLayersOf(indices: ArrayLike<number>, layers: ArrayLike<number>): void;
+  /** Makes all changes visible. O(changes), and the upkeep. */
+  commit(): void;
+  /** The same, and sorts all bounds again. */
+  rebuild(): void;
+  /** The values of bounds, with all changes: 6 floats of a box, 4 of a sphere. */
+  values(ids: Ids): Float32Array;
+  /**
+   * The number of bounds, with all changes, and what commits do to stay fast: blocks of up to 4,096 bounds, how much their
+   * nodes have grown since they were sorted, bounds that wait to be sorted again, and how many the last commit sorted.
+   */
+  readonly upkeep: {boundCount: number, blocks: number, growth: number, waiting: number, sortedLast: number};
+}
+
+/** Ids of bounds, as `insert()` returns them. */
+export type Ids = BigUint64Array | readonly bigint[];
+
+export interface DynamicBoxTree extends Omit<BoxBounds, 'copy' | 'setLayers' | 'clearLayers'>, DynamicTree {
+  /** The state of the last commit. O(1). */
+  snapshot(): BoxTreeSnapshot;
+}
+
+export interface DynamicSphereTree extends Omit<SphereBounds, 'copy' | 'setLayers' | 'clearLayers'>, DynamicTree {
+  /** The state of the last commit. O(1). */
+  snapshot(): SphereTreeSnapshot;
+}
 
 /**
  * Patches, and what stands between them. Floats are as in streams; a plane is 4: the normal, where it faces, and

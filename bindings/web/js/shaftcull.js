@@ -2,6 +2,7 @@
 // The package's interface; shaftcull.d.ts says what each call does.
 import * as bounds from './bounds.js';
 import * as boxes from './boxes.js';
+import {dynamicTreeOf} from './dynamic_trees.js';
 import * as hashes from './hashes.js';
 import {Module} from './module.js';
 import * as shafts from './shafts.js';
@@ -108,6 +109,14 @@ class Shaftcull {
     return bounds.treeOf(this.#module, 'triangles', triangles, indices);
   }
 
+  dynamicBoxTree(options) {
+    return dynamicTreeOf(this.#module, 'boxes', options);
+  }
+
+  dynamicSphereTree(options) {
+    return dynamicTreeOf(this.#module, 'spheres', options);
+  }
+
   between(a, b, options) {
     return shafts.between(this.#module, a, b, options);
   }
@@ -141,11 +150,11 @@ class Shaftcull {
   }
 
   casters(view, light) {
-    return shafts.castersOf(this.#module, 'shaftcull_hull_of_casters', view, light, 'light');
+    return shafts.castersOf(this.#module, 1, view, light, 'light');
   }
 
   castersTowards(view, sun) {
-    return shafts.castersOf(this.#module, 'shaftcull_hull_of_casters_towards', view, sun, 'sun');
+    return shafts.castersOf(this.#module, 0, view, sun, 'sun');
   }
 
   visibility(scene) {

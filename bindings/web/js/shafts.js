@@ -7,7 +7,6 @@ import {kindOf, sourceOf} from './sources.js';
 
 export const contacts = ['closed', 'open'];
 const answers = ['outside', 'overlap', 'inside'];
-const forms = ['slab', 'planes'];
 const maxPlanes = 8;
 
 /** A shaft of an array, or a hull, which can be asked about single bounds. */
@@ -57,7 +56,6 @@ export class Shafts extends Volume {
       a: module.floats(info.a, 6),
       b: module.floats(info.b, 6),
       contact: contacts[info.contact],
-      form: forms[info.form],
       hasPlanes: info.has_planes === 1,
       isHull: info.is_hull === 1,
     }));
@@ -66,11 +64,6 @@ export class Shafts extends Volume {
   setContact(contact) {
     const value = asEnumerator(contact, contacts, 'contact');
     this.module.call('shaftcull_shafts_set_contact', ...allShafts(this.module, this), value);
-  }
-
-  setForm(form) {
-    const value = asEnumerator(form, forms, 'form');
-    this.module.call('shaftcull_shafts_set_form', ...allShafts(this.module, this), value);
   }
 
   complete() {
@@ -258,7 +251,7 @@ export function shadow(module, lights, occluders, options = {}) {
   });
 }
 
-function moving(module, make, bodies, vectors, name, options = {}) {
+function moving(module, sweep, bodies, vectors, name, options = {}) {
   checkOptions(options, ['contact', 'planes', 'planesBodies']);
   const contact = asContact(options);
   const given = asFloats(bodies, 6, 'bodies');
@@ -268,17 +261,18 @@ function moving(module, make, bodies, vectors, name, options = {}) {
     const all = asFloats(options.planes ?? [], 4, 'planes');
     const planes = planesFor(all, options.planesBodies, 'planesBodies', given.length / 6, count);
     const planeCount = BigInt(planes.length / 4);
-    module.call(make, ...range, source.pointer, scratch.copy(travels), scratch.copy(planes), planeCount);
+    const moved = [source.pointer, scratch.copy(travels), sweep, scratch.copy(planes), planeCount];
+    module.call('shaftcull_shafts_set_swept', ...range, ...moved);
     module.call('shaftcull_shafts_set_contact', ...range, contact);
   });
 }
 
 export function swept(module, bodies, displacements, options) {
-  return moving(module, 'shaftcull_shafts_set_swept', bodies, displacements, 'displacements', options);
+  return moving(module, 0, bodies, displacements, 'displacements', options);
 }
 
 export function sweptInfinite(module, bodies, directions, options) {
-  return moving(module, 'shaftcull_shafts_set_swept_infinite', bodies, directions, 'directions', options);
+  return moving(module, 1, bodies, directions, 'directions', options);
 }
 
 /** Copies of the shafts of all parts, one behind the other. */
@@ -322,10 +316,12 @@ export function frustum(module, matrix, depth, options = {}) {
       (scratch) => new Hull(module, made(module, 'shaftcull_hull_of_frustum', scratch.copy(rows), range, hullTest(options))));
 }
 
-/** What can cast a shadow into view, by a light at a point or by a sun in a direction. */
-export function castersOf(module, make, view, vector, name) {
+/** What can cast a shadow into view, by a light at a point, where `w` is 1, or by a sun in a direction, where it is 0. */
+export function castersOf(module, w, view, vector, name) {
   if (!(view instanceof Hull)) throw new TypeError('view is no hull: frustum() and hull() make one');
   const floats = asFloatsOf(vector, 3, name);
   const {handle} = ofModule(module, view, 'the view');
-  return module.scratch((scratch) => new Hull(module, made(module, make, handle, scratch.copy(floats))));
+  const light = Float32Array.of(...floats, w);
+  return module.scratch(
+      (scratch) => new Hull(module, made(module, 'shaftcull_hull_of_casters', handle, scratch.copy(light))));
 }

@@ -127,8 +127,8 @@ describe('loading', () => {
     const module = await WebAssembly.compile(await readFile(join(folder, 'shaftcull.wasm')));
     const names = WebAssembly.Module.exports(module).map(({name}) => name).filter((name) => /^shaftcull_/.test(name));
     assert.deepEqual(names.filter((name) => !new RegExp(`\\b${name}\\b`).test(text)).sort(), [
-      'shaftcull_error_message', 'shaftcull_error_position', 'shaftcull_isa_asked',
-      'shaftcull_set_error_handler', 'shaftcull_view_create', 'shaftcull_view_set', 'shaftcull_visibility_bits',
+      'shaftcull_error_message', 'shaftcull_error_position', 'shaftcull_set_error_handler',
+      'shaftcull_view_create', 'shaftcull_visibility_bits',
     ]);
   });
 });
@@ -268,6 +268,76 @@ describe('bounds', () => {
     assert.equal(tree.sahRatio, 1);
     assert.deepEqual(ascending(tree.list(shaft)), [...shaftcull.boxStream(moved).list(shaft)]);
     assert.throws(() => tree.update(boxesOf(499, 5)), ShaftcullError);
+  });
+});
+
+describe('dynamic trees', () => {
+  const all = () => shaftcull.between([-9, -9, -9, 200, 200, 200], [-9, -9, -9, 200, 200, 200]);
+  const indexOf = (id) => Number(id & 0xffff_ffffn);
+
+  test('show boxes that come, go and move after a commit', () => {
+    const tree = shaftcull.dynamicBoxTree();
+    const values = boxesOf(500, 41);
+    const ids = tree.insert(values);
+    assert.deepEqual([...ids].map(indexOf), Array.from({length: 500}, (_, i) => i));
+    assert.deepEqual([tree.length, tree.count(all())], [0, 0]);
+    tree.commit();
+    assert.deepEqual([tree.length, tree.count(all()), tree.kind], [500, 500, 'boxes']);
+    const stream = shaftcull.boxStream(values);
+    const shaft = shaftcull.between(values.subarray(0, 6), values.subarray(60, 66));
+    assert.deepEqual(ascending(tree.list(shaft)), [...stream.list(shaft)]);
+    assert.deepEqual(tree.cull(shaft), stream.cull(shaft));
+    assert.deepEqual([...tree.box], [...shaftcull.boxTree(values).box]);
+    const before = tree.snapshot();
+    tree.erase(ids.subarray(0, 100));
+    tree.move(ids.subarray(100, 102), [0, 0, 0, 1, 1, 1, 5, 5, 5, 6, 6, 6]);
+    tree.moveBy([ids[101]], [1, 0, 0]);
+    assert.deepEqual([...tree.values([ids[101]])], [6, 5, 5, 7, 6, 6]);
+    const [again] = tree.insert([1, 2, 3, 4, 5, 6]);
+    assert(indexOf(again) < 100 && again !== ids[indexOf(again)]);
+    assert.equal(tree.count(all()), 500);
+    tree.commit();
+    assert.deepEqual([tree.count(all()), before.count(all()), tree.length], [401, 500, 500]);
+    assert.equal(tree.upkeep.boundCount, 401);
+    assert(tree.upkeep.blocks >= 1 && tree.upkeep.growth > 0);
+    tree.rebuild();
+    assert.equal(tree.upkeep.growth, 1);
+    assert.throws(() => tree.erase([ids[3]]), (error) => error instanceof ShaftcullError && /was erased/.test(error.message));
+    assert.throws(() => tree.values([ids[3]]), /has no bound/);
+    tree.free();
+    assert.equal(before.copy().count(all()), 500);
+  });
+
+  test('are of spheres, in layers', () => {
+    const tree = shaftcull.dynamicSphereTree({sortedPerChange: 0});
+    const ids = tree.insert([1, 1, 1, 1, 5, 5, 5, 1, 9, 9, 9, 1], [1, 2, 4]);
+    tree.commit();
+    assert.deepEqual(ascending(tree.list(all(), {layerMask: 6})), [1, 2]);
+    tree.setLayersOf([0], [2]);
+    assert.deepEqual(ascending(tree.list(all(), {layerMask: 2})), [1]);
+    tree.commit();
+    assert.deepEqual(ascending(tree.list(all(), {layerMask: 2})), [0, 1]);
+    const contact = tree.firstContact(shaftcull.swept([0, 4, 4, 0, 6, 6], [9, 0, 0]));
+    assert.equal(contact.index, indexOf(ids[1]));
+    assert.throws(() => tree.setLayers([1, 2, 3]), ShaftcullError);
+  });
+
+  test('refuse what is wrong, and stay as they were', () => {
+    const tree = shaftcull.dynamicBoxTree();
+    const ids = tree.insert(boxesOf(3, 42));
+    tree.commit();
+    assert.throws(() => tree.insert([0, 0, 0, 1, 1]), TypeError);
+    assert.throws(() => tree.insert([1, 0, 0, 0, 1, 1]), ShaftcullError);
+    assert.throws(() => tree.insert(boxesOf(2, 1), [1]), /1 layers for 2 boxes/);
+    assert.throws(() => tree.moveBy(ids, [1, 0, 0]), /1 displacements for 3 ids/);
+    assert.throws(() => tree.move(ids, boxesOf(2, 1)), ShaftcullError);
+    assert.throws(() => tree.erase([1]), /ids\[0\] = 1 is no id/);
+    assert.throws(() => tree.erase('all'), TypeError);
+    assert.throws(() => tree.erase([ids[0], ids[0]]), /twice/);
+    assert.throws(() => shaftcull.dynamicBoxTree({sortedPerChange: -1}), ShaftcullError);
+    assert.throws(() => shaftcull.dynamicBoxTree({upkeep: 1}), /no option 'upkeep'/);
+    tree.commit();
+    assert.equal(tree.count(all()), 3);
   });
 });
 
@@ -672,9 +742,9 @@ describe('shafts', () => {
     assert.throws(() => shaftcull.swept(lamp, [1, 0, 0]).joiningPlanes(), /between two boxes/);
   });
 
-  test('are described, and answer the same in both forms, completed or not', () => {
+  test('are described, and answer the same whether they are completed or not', () => {
     const shafts = shaftcull.between(lamp, [...table, ...scene.slice(0, 6)]);
-    const described = {a: Float32Array.from(lamp), b: Float32Array.from(table), contact: 'closed', form: 'slab',
+    const described = {a: Float32Array.from(lamp), b: Float32Array.from(table), contact: 'closed',
                        hasPlanes: false, isHull: false};
     assert.deepEqual(shafts.describe(), described);
     const streams = [shaftcull.boxStream(boxesOf(500, 31, 12)), shaftcull.sphereStream([2, 5, 2, 1, 20, 0, 0, 1])];
@@ -684,12 +754,8 @@ describe('shafts', () => {
     const second = {...described, b: Float32Array.from(scene.slice(0, 6)), hasPlanes: true};
     assert.deepEqual(shafts.describe({at: 1}), second);
     assert.deepEqual(answers(), before);
-    shafts.setForm('planes');
-    assert.equal(shafts.describe().form, 'planes');
-    assert.deepEqual(answers(), before);
-    shafts.setForm('slab');
     shafts.setContact('open');
-    assert.deepEqual([shafts.describe().contact, shafts.describe().form], ['open', 'slab']);
+    assert.equal(shafts.describe().contact, 'open');
     const open = shaftcull.between(lamp, [...table, ...scene.slice(0, 6)], {contact: 'open'});
     assert.deepEqual(answers(), streams.map((stream) => stream.listClassifiedMany(open)));
     assert.notDeepEqual(answers(), before);

@@ -2,7 +2,7 @@
 // A client in TypeScript, which is compiled and not run: all types are there, and what is wrong is refused.
 import {load, roundOutwards, ShaftcullError} from 'shaftcull';
 import type {
-  Answer, AskManyOptions, AskOptions, BoxTree, Bounds, FirstContact, Floats, Hull, Lists, ShaftInfo, Shafts, Shaftcull,
+  Answer, AskManyOptions, AskOptions, BoxTree, Bounds, DynamicBoxTree, FirstContact, Floats, Hull, Lists, ShaftInfo, Shafts, Shaftcull,
   Sight, ViewFactors, Visibility, Volume,
 } from 'shaftcull';
 
@@ -22,12 +22,16 @@ tree.refit();
 tree.reorder();
 export const fits: boolean = !tree.needsRefit && tree.copy().order.length === tree.box.length;
 shaftcull.triangleStream([]).update([], {first: 0, indices: [0, 0, 0]});
-shafts.setForm('planes');
 shafts.complete();
 const all: Shafts = shaftcull.concatenate([shafts, view]);
 const info: ShaftInfo = all.describe({at: 1});
 export const planes: Float32Array[] = [all.joiningPlanes({at: 0}), shaftcull.viewPlanes(info.a, 'zero_to_one')];
 export const made: Float32Array = shaftcull.inflated(shaftcull.translated(shaftcull.boxAround([]), [0, 0, 0]), 1);
+const bodies: DynamicBoxTree = shaftcull.dynamicBoxTree({sortedPerChange: 2});
+const ids: BigUint64Array = bodies.insert(boxes, [1]);
+bodies.moveBy(ids, [1, 0, 0]);
+bodies.commit();
+export const moved: number[] = [bodies.snapshot().count(view), bodies.list(view)[0]!, bodies.upkeep.blocks];
 tree.setLayers(Uint32Array.of(1));
 tree.setLayersOf([0], [2]);
 const asked: AskOptions = {exclude: [0], excludeMask: tree.cull(view), layerMask: 1, limit: 9, only: [0], at: 0,
