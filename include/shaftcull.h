@@ -504,7 +504,7 @@ SHAFTCULL_API shaftcull_status shaftcull_dynamic_tree_create(shaftcull_bound_kin
 
 /// Inserts the bounds of a source, which are of the tree's kind, and writes the id of bound i to ids[i]. `layers` has
 /// one set of bits per bound, or is NULL: all layers. SHAFTCULL_BAD_BOUND as for shaftcull_stream_create(). Refuses
-/// sources of centres and of existing bounds, and more than 2²⁹ bounds. O(count); allocates 40 bytes per bound until
+/// sources of centres and of existing bounds, and more than 2²⁹ bounds. O(count); allocates 32 bytes per bound until
 /// the commit, and a copy of the bounds for the time of the call.
 SHAFTCULL_API shaftcull_status shaftcull_dynamic_tree_insert(shaftcull_bounds* tree, const shaftcull_source* source,
                                                              const uint32_t* layers, shaftcull_bound_id* ids);

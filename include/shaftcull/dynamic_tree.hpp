@@ -98,7 +98,7 @@ struct TreeUpkeep {
 ///
 /// *Errors.* A call that throws, std::bad_alloc included, leaves the tree, its changes and all snapshots as they were.
 ///
-/// Memory: the bound, about 24 bytes more, and 4 if any bound is not in all layers. A change takes 40 bytes until the
+/// Memory: the bound, about 24 bytes more, and 4 if any bound is not in all layers. A change takes 32 bytes until the
 /// commit. At most 2²⁹ bounds. Moves are O(1) and leave an empty tree. There are no copies: copy snapshots.
 template <class Bound>
 class DynamicTree {

@@ -48,7 +48,7 @@ class BlockChanges {
 
   /// A bound that is erased, or goes to another block.
   void erase(std::size_t leaf, const Change<Bound>& change) noexcept {
-    if (!change.has_bound) places_.clear(change.index);
+    if (change.has_bound == 0) places_.clear(change.index);
     ++block_.changed;
     block_.clear(leaf);
     --block_.count;

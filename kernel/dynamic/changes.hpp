@@ -11,14 +11,16 @@
 
 namespace shaftcull::kernel {
 
-/// What becomes of an index: the last of several changes counts.
+/// What becomes of an index: the last of several changes counts. That of a box takes half a cache line, since commits
+/// read changes all over memory.
 template <class Bound>
-struct Change {
-  std::uint32_t index;
+struct alignas(rows_of<Bound> == 6 ? 32 : 8) Change {
+  std::uint32_t index : 31;
+  std::uint32_t has_bound : 1;  ///< 0: erased
   std::uint32_t layers;
-  bool has_bound;  ///< false: erased
   float bound[rows_of<Bound>];
 };
+static_assert(sizeof(Change<Box>) == 32 && sizeof(Change<Sphere>) == 24);
 
 /// An index, whether it has a bound now, and what waits for it.
 struct Slot {

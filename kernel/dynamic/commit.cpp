@@ -27,18 +27,18 @@ namespace {
 template <class Bound>
 class Commit {
  public:
-  Commit(const Shared<StateOf<Bound>>& old, std::span<const Change<Bound>> changes, std::size_t index_end, bool layers,
-         bool everything, Upkeep& upkeep)
+  Commit(const Shared<StateOf<Bound>>& old, const Changes<Bound>& changes, bool layers, bool everything, Upkeep& upkeep)
       : old_(old),
         in_place_(old.is_only()),
-        changes_(changes),
-        index_end_(index_end),
+        changes_(changes.all),
+        slots_(changes.slots),
+        index_end_(changes.slots.size()),
         layers_(layers),
         everything_(everything),
         upkeep_(upkeep),
         spent_(begun(upkeep)),
         kernels_(active_kernels()),
-        plan_(*old, changes, spent_, kernels_) {}
+        plan_(*old, changes.all, spent_, kernels_) {}
 
   Shared<StateOf<Bound>> run() {
     if (everything_ || plan_.is_worth_sorting_all()) return sort_all();
@@ -120,7 +120,55 @@ class Commit {
     const LeafBlock<Bound>& from = *old().blocks[block];
     std::uint64_t stay[block_words];
     for (std::size_t w = 0; w != block_words; ++w) stay[w] = from.taken[w] & ~gone[w];
+    if (!plan_.walks_blocks()) return members.add(from, stay);
+    for_each_changed(from, stay, [&](std::size_t leaf, const Change<Bound>& change) {
+      add(members, change);
+      stay[leaf / fanout] &= ~(std::uint64_t{1} << leaf % fanout);
+    });
     members.add(from, stay);
+  }
+  /// Calls use(leaf, change) for those of these leaves whose bounds have changes. Both are all over memory: slots are
+  /// prefetched two words ahead, and changes one.
+  template <class Use>
+  void for_each_changed(const LeafBlock<Bound>& block, const std::uint64_t (&leaves)[block_words],
+                        Use&& use) const noexcept {
+    struct Word {
+      std::uint64_t leaves;
+      std::uint32_t change[fanout];
+    };
+    Word ahead[2];
+    const std::uint32_t* const order = block.order();
+    const auto prefetch_slots = [&](std::size_t w) {
+      if (w >= block_words) return;
+      for (std::uint64_t left = leaves[w]; left != 0; left &= left - 1) {
+        prefetch_to_second_level(&slots_[order[w * fanout + static_cast<std::size_t>(std::countr_zero(left))]], 1);
+      }
+    };
+    const auto look_up = [&](std::size_t w) {
+      if (w >= block_words) return;
+      Word& word = ahead[w % 2];
+      word.leaves = 0;
+      for (std::uint64_t left = leaves[w]; left != 0; left &= left - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(left));
+        const std::uint32_t change = slots_[order[w * fanout + i]].change;
+        if (change == 0) continue;
+        word.leaves |= left & -left;
+        word.change[i] = change - 1;
+        prefetch_change(change - 1);
+      }
+    };
+    prefetch_slots(0);
+    prefetch_slots(1);
+    look_up(0);
+    for (std::size_t w = 0; w != block_words; ++w) {
+      prefetch_slots(w + 2);
+      look_up(w + 1);
+      const Word& word = ahead[w % 2];
+      for (std::uint64_t left = word.leaves; left != 0; left &= left - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(left));
+        use(w * fanout + i, changes_[word.change[i]]);
+      }
+    }
   }
 
   [[nodiscard]] BlockSorting sorting() const noexcept {
@@ -217,7 +265,7 @@ class Commit {
     }
     // What is written is not shared with another state, and has layers if there are any.
     for (Place& place : table_) {
-      if (place.is_new() || (plan_.steps_of(place.from).empty() && !adds_layers())) continue;
+      if (place.is_new() || (!plan_.is_changed(place.from) && !adds_layers())) continue;
       const Shared<LeafBlock<Bound>>& block = old().blocks[place.from];
       if (in_place_ && block.is_only() && !adds_layers()) continue;
       place.block = Shared<LeafBlock<Bound>>(new LeafBlock<Bound>(*block, has_layers()));
@@ -273,7 +321,7 @@ class Commit {
   /// theirs on any page.
   void copy_shared_pages() {
     std::vector<bool> changes(pages());
-    bool any_splits = !plan_.groups().empty();
+    bool any_splits = !plan_.groups().empty() || plan_.walks_blocks();
     for (const BlockStep& step : plan_.steps()) {
       changes[changes_[step.change].index / LeafBlocks::page_size] = true;
       any_splits = any_splits || step.kind == BlockStep::insert;
@@ -315,15 +363,25 @@ class Commit {
   void write_block(std::size_t p) noexcept {
     const PlaceWriter places(page_.data(), table_[p].number);
     if (table_[p].is_new()) return write_places(*table_[p].block, places);
+    if (!plan_.is_changed(table_[p].from)) return;
     const std::span<const BlockStep> steps = plan_.steps_of(table_[p].from);
-    if (steps.empty()) return;
-    BlockChanges<Bound> block(block_at(p), places, kernels_);
+    LeafBlock<Bound>& leaves = block_at(p);
+    BlockChanges<Bound> block(leaves, places, kernels_);
     for (const BlockStep& step : steps) {
       if (step.kind == BlockStep::erase) block.erase(step.leaf, changes_[step.change]);
     }
-    for (std::size_t i = 0; i != steps.size(); ++i) {
-      prefetch_change(steps, i);
-      if (steps[i].kind == BlockStep::move) block.move(steps[i].leaf, changes_[steps[i].change]);
+    if (plan_.walks_blocks()) {
+      std::uint64_t taken[block_words];
+      std::copy_n(leaves.taken, block_words, taken);
+      for_each_changed(leaves, taken, [&](std::size_t leaf, const Change<Bound>& change) {
+        // One that was here may have gone to another word, and one that comes may be in its place.
+        if (leaves.order()[leaf] == change.index) block.move(leaf, change);
+      });
+    } else {
+      for (std::size_t i = 0; i != steps.size(); ++i) {
+        prefetch_change(steps, i);
+        if (steps[i].kind == BlockStep::move) block.move(steps[i].leaf, changes_[steps[i].change]);
+      }
     }
     for (const BlockStep& step : steps) {
       if (step.kind == BlockStep::insert) block.insert(changes_[step.change]);
@@ -335,16 +393,17 @@ class Commit {
   void clear_places(std::span<const BlockStep> steps) const noexcept {
     for (const BlockStep& step : steps) {
       const Change<Bound>& change = changes_[step.change];
-      if (!change.has_bound) PlaceWriter(page_.data(), 0).clear(change.index);
+      if (change.has_bound == 0) PlaceWriter(page_.data(), 0).clear(change.index);
     }
   }
   /// Changes of a block are all over memory.
   SHAFTCULL_ALWAYS_INLINE void prefetch_change(std::span<const BlockStep> steps, std::size_t i) const noexcept {
     constexpr std::size_t prefetched = 16;
-    if (i + prefetched >= steps.size()) return;
-    const Change<Bound>& soon = changes_[steps[i + prefetched].change];
-    prefetch_to_second_level(&soon.index, 1);
-    prefetch_to_second_level(&soon.bound[rows_of<Bound> - 1], 1);  // may be in the next cache line
+    if (i + prefetched < steps.size()) prefetch_change(steps[i + prefetched].change);
+  }
+  SHAFTCULL_ALWAYS_INLINE void prefetch_change(std::uint32_t number) const noexcept {
+    const Change<Bound>& soon = changes_[number];
+    prefetch_to_second_level(&soon, 1);
   }
   static void write_places(const LeafBlock<Bound>& block, const PlaceWriter& places) noexcept {
     for (std::size_t w = 0; w != block_words; ++w) {
@@ -370,7 +429,7 @@ class Commit {
           next.blocks[p] = std::move(table_[p].block);
           next.tables.set(p, *next.blocks[p]);
         }
-        if (plan_.steps_of(table_[p].from).empty()) continue;
+        if (!plan_.is_changed(table_[p].from)) continue;
         next.size_of[p] = size_of(*next.blocks[p]);
         copy_nodes(next.parts, p, *next.blocks[p]);
         if (next.parts.levels > 2) fit_node_word(next.parts, kernels_, 2, p);
@@ -422,6 +481,7 @@ class Commit {
   const Shared<StateOf<Bound>>& old_;
   bool in_place_;
   std::span<const Change<Bound>> changes_;
+  std::span<const Slot> slots_;
   std::size_t index_end_;
   bool layers_;
   bool everything_;
@@ -457,19 +517,18 @@ template <class Bound>
 Shared<StateOf<Bound>> empty_state() {
   const Shared<StateOf<Bound>> nothing(new StateOf<Bound>);
   Upkeep upkeep;
-  return Commit<Bound>(nothing, {}, 0, false, false, upkeep).run();
+  return Commit<Bound>(nothing, {}, false, false, upkeep).run();
 }
 
 template <class Bound>
-Shared<StateOf<Bound>> committed(const Shared<StateOf<Bound>>& old, std::span<const Change<Bound>> changes,
-                                 std::size_t index_end, bool layers, bool everything, Upkeep& upkeep) {
-  return Commit<Bound>(old, changes, index_end, layers, everything, upkeep).run();
+Shared<StateOf<Bound>> committed(const Shared<StateOf<Bound>>& old, const Changes<Bound>& changes, bool layers,
+                                 bool everything, Upkeep& upkeep) {
+  return Commit<Bound>(old, changes, layers, everything, upkeep).run();
 }
 
-#define SHAFTCULL_COMMIT(Bound)                                                                            \
-  template Shared<StateOf<Bound>> empty_state<Bound>();                                                    \
-  template Shared<StateOf<Bound>> committed(const Shared<StateOf<Bound>>&, std::span<const Change<Bound>>, \
-                                            std::size_t, bool, bool, Upkeep&);
+#define SHAFTCULL_COMMIT(Bound)                         \
+  template Shared<StateOf<Bound>> empty_state<Bound>(); \
+  template Shared<StateOf<Bound>> committed(const Shared<StateOf<Bound>>&, const Changes<Bound>&, bool, bool, Upkeep&);
 SHAFTCULL_COMMIT(Box)
 SHAFTCULL_COMMIT(Sphere)
 #undef SHAFTCULL_COMMIT

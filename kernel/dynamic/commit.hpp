@@ -28,14 +28,20 @@ inline constexpr float grown = 1.1F;
 template <class Bound>
 [[nodiscard]] Shared<StateOf<Bound>> empty_state();
 
-/// The state that has the changes made, of indices below `index_end`. Sorts every block if there are very many.
+/// The changes of a commit.
+template <class Bound>
+struct Changes {
+  std::span<const Change<Bound>> all;
+  std::span<const Slot> slots;  ///< of each index; those with changes name them
+};
+
+/// The state that has the changes made. Sorts every block if there are very many.
 ///
 /// If `old` has one owner, it is changed where it is, and returned; blocks that other states share are copied first.
 /// Otherwise it stays as it is. Throws std::bad_alloc, and then nothing has changed. `layers`: whether some bound may
 /// be in other layers than all. `everything`: sorts every block in any case.
 template <class Bound>
-[[nodiscard]] Shared<StateOf<Bound>> committed(const Shared<StateOf<Bound>>& old,
-                                               std::span<const Change<Bound>> changes, std::size_t index_end,
+[[nodiscard]] Shared<StateOf<Bound>> committed(const Shared<StateOf<Bound>>& old, const Changes<Bound>& changes,
                                                bool layers, bool everything, Upkeep& upkeep);
 
 }  // namespace shaftcull::kernel

@@ -45,13 +45,25 @@ class CommitPlan {
   /// Finds the steps of changes that need no block to be found. Refers to all arguments.
   CommitPlan(const DynamicState<Bound>& old, std::span<const Change<Bound>> changes, Upkeep& upkeep,
              const Kernels& kernels)
-      : old_(old), changes_(changes), upkeep_(upkeep), kernels_(kernels), boxes_(old) {
+      : old_(old),
+        changes_(changes),
+        upkeep_(upkeep),
+        kernels_(kernels),
+        walks_blocks_(changes.size() >= many_changes && changes.size() >= old.count / 4),
+        boxes_(old) {
     find_steps();
     earn_upkeep();
   }
   CommitPlan(const CommitPlan&) = delete;
   CommitPlan& operator=(const CommitPlan&) = delete;
 
+  /// Whether so many bounds change that blocks are gone through leaf by leaf, and each bound is asked for its change.
+  /// Then bounds that move within their block have no steps.
+  [[nodiscard]] bool walks_blocks() const noexcept { return walks_blocks_; }
+  /// Whether a block is written to, unless it is sorted again.
+  [[nodiscard]] bool is_changed(std::size_t block) const noexcept {
+    return walks_blocks_ || first_step_[block] != first_step_[block + 1];
+  }
   /// How many bounds there will be.
   [[nodiscard]] std::size_t count() const noexcept { return count_; }
   /// Changes whose bounds have no block yet.
@@ -89,6 +101,15 @@ class CommitPlan {
 
   /// Changes ahead whose places are prefetched.
   static constexpr std::size_t prefetched = 16;
+  /// Fewer changes are taken one by one, and in one task.
+  static constexpr std::size_t many_changes = 16384;
+
+  /// What a task finds.
+  struct Found {
+    std::vector<BlockStep> steps;
+    std::vector<std::uint32_t> arrivals;
+    std::size_t moves = 0;
+  };
 
   [[nodiscard]] std::size_t blocks() const noexcept { return old_.blocks.size(); }
   /// Whether a bound belongs into blocks of large ones. Of a single block it does not.
@@ -98,27 +119,41 @@ class CommitPlan {
 
   /// Finds the block of every bound that is erased or moved, and what has no block yet.
   void find_steps() {
-    steps_.reserve(changes_.size());
-    for (std::size_t c = 0; c != changes_.size(); ++c) {
-      if (c + prefetched < changes_.size()) old_.prefetch_place(changes_[c + prefetched].index);
+    std::vector<Found> found(std::max<std::size_t>(chunk_count(changes_.size(), many_changes), 1));
+    parallel_for(found.size(), 1,
+                 [&](std::size_t t, std::size_t) { find_steps(chunk_at(changes_.size(), many_changes, t), found[t]); });
+    steps_ = std::move(found[0].steps);
+    arrivals_ = std::move(found[0].arrivals);
+    moves_ = found[0].moves;
+    for (std::size_t t = 1; t != found.size(); ++t) {
+      steps_.insert(steps_.end(), found[t].steps.begin(), found[t].steps.end());
+      arrivals_.insert(arrivals_.end(), found[t].arrivals.begin(), found[t].arrivals.end());
+      moves_ += found[t].moves;
+    }
+    const std::size_t gone = walks_blocks_ ? steps_.size() : steps_.size() - moves_;
+    count_ = old_.count + arrivals_.size() - gone;
+  }
+  void find_steps(const IndexRange& task, Found& found) const {
+    if (!walks_blocks_) found.steps.reserve(task.size);
+    for (std::size_t c = task.first; c != task.end(); ++c) {
+      if (c + prefetched < task.end()) old_.prefetch_place(changes_[c + prefetched].index);
       const Change<Bound>& change = changes_[c];
       const auto number = static_cast<std::uint32_t>(c);
       const std::uint32_t place = change.index < old_.index_end ? old_.place_of(change.index) : 0;
       if (place == 0) {
-        if (change.has_bound) arrivals_.push_back(number);
+        if (change.has_bound != 0) found.arrivals.push_back(number);
         continue;
       }
       const std::uint32_t block = old_.position_of[place >> LeafBlocks::number_shift];
       const std::uint32_t leaf = place % block_leaves;
-      if (change.has_bound && stays_in(block, change)) {
-        steps_.push_back({number, block, leaf, BlockStep::move});
-        ++moves_;
+      if (change.has_bound != 0 && stays_in(block, change)) {
+        if (!walks_blocks_) found.steps.push_back({number, block, leaf, BlockStep::move});
+        ++found.moves;
         continue;
       }
-      steps_.push_back({number, block, leaf, BlockStep::erase});
-      if (change.has_bound) arrivals_.push_back(number);
+      found.steps.push_back({number, block, leaf, BlockStep::erase});
+      if (change.has_bound != 0) found.arrivals.push_back(number);
     }
-    count_ = old_.count + arrivals_.size() + moves_ - steps_.size();
   }
   /// What the changes allow to be sorted again: an eighth for bounds that stay in their block.
   void earn_upkeep() noexcept {
@@ -264,6 +299,7 @@ class CommitPlan {
   std::span<const Change<Bound>> changes_;
   Upkeep& upkeep_;
   const Kernels& kernels_;
+  bool walks_blocks_;
   BlockBoxes boxes_;
   std::vector<BlockStep> steps_;
   std::vector<std::uint32_t> arrivals_;

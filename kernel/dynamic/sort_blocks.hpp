@@ -35,7 +35,8 @@ struct BlockSorting {
 /// Whether a bound, as streams have it, is much larger than a usual node.
 template <std::size_t rows>
 [[nodiscard]] bool is_large(const float (&bound)[rows], float node_size) noexcept {
-  return node_size > 0 && !is_small(placement(bound).extent, node_size);
+  const float extent = plain_placement(bound).extent;  // NaN for a bound that lies at infinity
+  return node_size > 0 && extent == extent && !is_small(extent, node_size);
 }
 
 /// Sorts bounds into blocks: a k-d tree whose leaves are words. One task does it all.

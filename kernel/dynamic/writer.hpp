@@ -80,9 +80,9 @@ struct DynamicTree<Bound>::Writer {
     if (slot.change != 0) return changes[slot.change - 1];
     kernel::Change<Bound>& change = changes.emplace_back();
     slot.change = static_cast<std::uint32_t>(changes.size()) & 0x7FFFFFFFU;
-    change.index = index;
+    change.index = index & 0x7FFFFFFFU;
     change.layers = all_layers;
-    change.has_bound = false;
+    change.has_bound = 0;
     return change;
   }
   void set(kernel::Change<Bound>& change, const Bound& bound) noexcept {
@@ -103,7 +103,7 @@ struct DynamicTree<Bound>::Writer {
     kernel::Change<Bound>& change = change_of(index);
     set(change, bound);
     change.layers = layers_of_bound;
-    change.has_bound = true;
+    change.has_bound = 1;
     layers = layers || layers_of_bound != all_layers;
     ++count;
     return {index, slots[index].generation};
@@ -111,18 +111,18 @@ struct DynamicTree<Bound>::Writer {
   void move(std::uint32_t index, const Bound& bound) noexcept {
     kernel::Change<Bound>& change = change_of(index);
     if (!change.has_bound && state().has_layers) change.layers = state().layers_of(index);
-    change.has_bound = true;
+    change.has_bound = 1;
     set(change, bound);
   }
   void set_layers(std::uint32_t index, std::uint32_t layers_of_bound) noexcept {
     kernel::Change<Bound>& change = change_of(index);
-    if (!change.has_bound) state().read(index, change.bound);
-    change.has_bound = true;
+    if (change.has_bound == 0) state().read(index, change.bound);
+    change.has_bound = 1;
     change.layers = layers_of_bound;
     layers = layers || layers_of_bound != all_layers;
   }
   void erase(std::uint32_t index) noexcept {
-    change_of(index).has_bound = false;
+    change_of(index).has_bound = 0;
     slots[index].has_bound = 0;
     ++slots[index].generation;
     free.push_back(index);
@@ -179,8 +179,7 @@ struct DynamicTree<Bound>::Writer {
   };
   [[nodiscard]] kernel::Shared<kernel::StateOf<Bound>> next_of(const kernel::Shared<kernel::StateOf<Bound>>& old,
                                                                bool everything) {
-    return kernel::committed<Bound>(old, std::span<const kernel::Change<Bound>>(changes), slots.size(), layers,
-                                    everything, upkeep);
+    return kernel::committed<Bound>(old, kernel::Changes<Bound>{changes, slots}, layers, everything, upkeep);
   }
 };
 

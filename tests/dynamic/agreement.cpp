@@ -85,6 +85,29 @@ TYPED_TEST(DynamicTrees, SnapshotsStayAsTheyAreWhereCommitsTouchFewBlocks) {
   expect_equal(world.tree.committed(), world.model, world.random());
 }
 
+// Of so many changes a commit goes through all blocks, and not from change to change.
+TYPED_TEST(DynamicTrees, AnswerAsAnArrayDoesWhereNearlyAllMove) {
+  for (const bool layers : {false, true}) {
+    World<TypeParam> world(layers ? 19 : 20);
+    world.change({.count = 22000, .insertions = 10, .layers = layers});
+    world.tree.commit();
+    for (unsigned frame = 0; frame != 4; ++frame) {
+      const Model<TypeParam> before = world.model;
+      const TreeSnapshot<TypeParam> snapshot = frame % 2 == 0 ? TreeSnapshot<TypeParam>() : world.tree.snapshot();
+      for (std::uint32_t i = 0; i != world.model.bounds.size(); ++i) {
+        if (world.model.has_bound[i] == 0 || (i + frame) % 9 == 0) continue;
+        const float step = i % 100 == 0 ? 5.0F : 0.02F;  // some leave their blocks
+        world.tree.move_by(world.model.ids[i], world.random().vec3(-step, step));
+        world.model.bounds[i] = world.tree[world.model.ids[i]];
+      }
+      world.change({.count = 500, .layers = layers});
+      world.tree.commit();
+      expect_equal(world.tree.committed(), world.model, world.random());
+      if (frame % 2 == 1) expect_equal(snapshot, before, world.random());
+    }
+  }
+}
+
 // Bounds of a full word go to another one, with indices that no change has named.
 TYPED_TEST(DynamicTrees, SnapshotsStayAsTheyAreWhereWordsAreSplit) {
   World<TypeParam> world(16);
