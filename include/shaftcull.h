@@ -417,10 +417,10 @@ SHAFTCULL_API void shaftcull_bounds_free(shaftcull_bounds* bounds);
 
 /// Replaces the bounds from `first` on by those of a source, which must be of the same kind and not lie in the same
 /// memory. Takes a stream with any range that lies within it: O(count of the source); several threads may update
-/// disjoint ranges at once. Takes a tree of boxes or spheres with `first` = 0 and all of its bounds, and refits it:
-/// O(n), in parallel. SHAFTCULL_BAD_BOUND as for shaftcull_stream_create(). Allocates nothing, except a copy of
-/// SHAFTCULL_SOURCE_TRIANGLES. If oneTBB cannot start its tasks, the tree needs a refit, and each bound has its old or
-/// its new value.
+/// disjoint ranges at once. Takes a tree with `first` = 0 and all of its bounds, and refits it: O(n), in parallel.
+/// SHAFTCULL_BAD_BOUND as for shaftcull_stream_create(). Allocates nothing, except a copy of
+/// SHAFTCULL_SOURCE_TRIANGLES, and for a tree of triangles twice the triangles. If oneTBB cannot start its tasks, the
+/// tree needs a refit, and each bound has its old or its new value.
 SHAFTCULL_API shaftcull_status shaftcull_bounds_update(shaftcull_bounds* bounds, uint64_t first,
                                                        const shaftcull_source* source);
 
@@ -454,22 +454,21 @@ SHAFTCULL_API shaftcull_status shaftcull_bounds_describe(const shaftcull_bounds*
 
 /// Gives bound indices[i] of a tree the value of the source at i, for `count` indices. If an index comes twice, the
 /// last value counts. Queries then return SHAFTCULL_NEEDS_REFIT until shaftcull_tree_refit(). O(count), except for the
-/// first call, which is O(n) and allocates an index per bound. Refuses triangles, and an index not below the number of
-/// bounds.
+/// first call, which is O(n) and allocates an index per bound. Refuses an index not below the number of bounds.
 SHAFTCULL_API shaftcull_status shaftcull_tree_update_some(shaftcull_bounds* tree, const uint32_t* indices,
                                                           uint64_t count, const shaftcull_source* source);
 
-/// Fits the nodes of a tree of boxes or spheres to bounds that were updated by index. O(updated), at most O(n).
+/// Fits the nodes of a tree to bounds that were updated by index. O(updated), at most O(n).
 SHAFTCULL_API shaftcull_status shaftcull_tree_refit(shaftcull_bounds* tree);
 
-/// Sorts the bounds of a tree of boxes or spheres as they are now. Indices stay, the order changes. A dynamic tree
+/// Sorts the bounds of a tree as they are now. Indices stay, the order changes. A dynamic tree
 /// commits its changes, too. Time and allocation as for shaftcull_tree_create().
 SHAFTCULL_API shaftcull_status shaftcull_tree_rebuild(shaftcull_bounds* tree);
 
-/// Gives the bounds of a tree of boxes or spheres new indices, in its order: the index of leaf p becomes p. O(n).
+/// Gives the bounds of a tree new indices, in its order: the index of leaf p becomes p. O(n).
 SHAFTCULL_API shaftcull_status shaftcull_tree_reorder(shaftcull_bounds* tree);
 
-/// What a tree of boxes or spheres costs and holds. Counters of upkeep are 0 for trees that are not dynamic.
+/// What a tree costs and holds. Counters of upkeep are 0 for trees that are not dynamic.
 typedef struct shaftcull_tree_info {
   double growth;        /* how much larger nodes have become since bounds were sorted; at 2 or 3 a rebuild pays */
   uint64_t bound_count; /* of bounds that there are; for a dynamic tree with all changes, committed or not */
@@ -478,7 +477,7 @@ typedef struct shaftcull_tree_info {
   uint64_t sorted_last; /* bounds that the last commit sorted */
 } shaftcull_tree_info;
 
-/// Describes a tree of boxes or spheres, dynamic or not. SHAFTCULL_NEEDS_REFIT for a tree that does. O(n / 64), for a
+/// Describes a tree, dynamic or not. SHAFTCULL_NEEDS_REFIT for a tree that does. O(n / 64), for a
 /// dynamic tree O(n / 4096); no allocation.
 SHAFTCULL_API shaftcull_status shaftcull_tree_describe(const shaftcull_bounds* tree, shaftcull_tree_info* info);
 

@@ -505,6 +505,11 @@ TEST(TrianglesOutOfMemory, StreamsAndTreesStayWhatTheyWere) {
   };
   expect_unchanged_by([&](TriangleTree& now) { now = other_tree; });
   expect_unchanged_by([&](TriangleTree& now) { now = TriangleTree(std::span<const Triangle>(more)); });
+  const std::span<const Triangle> others_now = std::span(more).first(triangles.size());
+  const std::uint32_t some[] = {7, 99, 3};
+  expect_unchanged_by([&](TriangleTree& now) { now.update(others_now); });
+  expect_unchanged_by([&](TriangleTree& now) { now.update(some, others_now.first(3)); });
+  expect_unchanged_by([&](TriangleTree& now) { now.rebuild(); });
 }
 
 TEST(TrianglesOutOfMemory, ListsAreAsTheyWereOrEmpty) {

@@ -201,8 +201,8 @@ shaftcull_status shaftcull_bounds_update(shaftcull_bounds* bounds, uint64_t firs
         },
         all.holder);
     if (!fits) {
-      refuse("bounds are " + name_of(all) + "; a stream, or a tree of boxes or spheres, is updated by a source of " +
-             "its own kind of bounds");
+      refuse("bounds are " + name_of(all) +
+             "; a stream, or a tree that is not dynamic, is updated by a source of its " + "own kind of bounds");
     }
   });
 }
@@ -272,10 +272,8 @@ shaftcull_status shaftcull_bounds_describe(const shaftcull_bounds* bounds, shaft
             std::copy(streams.stream.begin(), streams.stream.end(), out.streams);
           }
           if constexpr (requires { holder.memory_bytes(); }) out.memory_bytes += holder.memory_bytes();
-          if constexpr (ChangingTree<Holder>) {
-            out.layers = first_of(holder.layers());
-            out.needs_refit = holder.needs_refit() ? 1 : 0;
-          }
+          if constexpr (ChangingTree<Holder>) out.needs_refit = holder.needs_refit() ? 1 : 0;
+          if constexpr (requires { holder.layers(); }) out.layers = first_of(holder.layers());
           if constexpr (requires { holder.order(); }) {
             out.order = first_of(holder.order());
             if (out.needs_refit == 0) out.box = converted<shaftcull_box>(holder.box());

@@ -54,7 +54,7 @@ template <class Holder>
 concept Stream = requires(const Holder& holder) {
   holder.view();
 };
-/// A tree of boxes or spheres, which can change. A TriangleTree cannot.
+/// A tree of bounds that may move, but neither come nor go.
 template <class Holder>
 concept ChangingTree = requires(const Holder& holder) {
   holder.needs_refit();
@@ -83,7 +83,7 @@ auto streams_of(const Holder& holder) {
     return holder;
   } else if constexpr (Stream<Holder>) {
     return holder.view();
-  } else if constexpr (ChangingTree<Holder>) {
+  } else if constexpr (requires { holder.leaves(); }) {
     return holder.leaves();
   } else {
     return holder.triangles();

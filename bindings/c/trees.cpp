@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Trees of boxes and spheres, whose bounds move. Those of bounds that come and go are in dynamic_trees.cpp, too.
+/// Trees whose bounds move. Those of bounds that come and go are in dynamic_trees.cpp, too.
 #include <cstdint>
 #include <type_traits>
 #include <utility>
@@ -22,7 +22,8 @@ shaftcull_status use_tree_of(Bounds* bounds, Use&& use) noexcept {
           if constexpr (takes<std::remove_const_t<Holder>>::value) {
             use(holder);
           } else {
-            refuse("tree is " + name_of(*bounds) + "; this call takes a tree of boxes or spheres");
+            refuse("tree is " + name_of(*bounds) + "; this call takes a tree" +
+                   (takes<shaftcull::DynamicBoxTree>::value ? "" : " that is not dynamic"));
           }
         },
         given(bounds, "tree").holder);

@@ -155,12 +155,13 @@ class SHAFTCULL_EXPORT TriangleStream {
 /// Triangles in memory of their own, sorted so that neighbours in space are neighbours in memory. Each 32 triangles
 /// form a *chunk*. Queries skip whole chunks by a BoxTree of the boxes around them. Answers equal those of a view.
 ///
-/// A tree is not updated: if triangles move, build it again, or update() a stream. It has no layers.
+/// If triangles move, update() gives them new values. They stay in their chunks, whose boxes become larger; rebuild()
+/// sorts triangles again. A tree of triangles has no layers.
 ///
 /// Building sorts in parallel, O(n log n), with about 80 bytes of scratch memory per triangle. The tree then holds 36
 /// bytes per triangle, 4 per index, and less than 1 per triangle for boxes. It throws the exceptions of TriangleStream,
-/// and InvalidArgument for 2³² triangles or more. Const members and queries are safe to call from many threads. Copies
-/// are deep. Moves are O(1) and leave an empty tree.
+/// and InvalidArgument for 2³² triangles or more. A call that throws leaves the tree as it was. Const members and
+/// queries are safe to call from many threads. Copies are deep. Moves are O(1) and leave an empty tree.
 class SHAFTCULL_EXPORT TriangleTree {
  public:
   static constexpr std::size_t chunk_size = 32;  ///< triangles per chunk
@@ -180,12 +181,38 @@ class SHAFTCULL_EXPORT TriangleTree {
   [[nodiscard]] std::size_t size() const noexcept;
   /// The bytes that the tree holds, padding included.
   [[nodiscard]] std::size_t memory_bytes() const noexcept;
-  /// The triangles in tree order. Valid until the tree is assigned to, moved from or destroyed.
+  /// The triangles in tree order, with updates. Valid until the tree is updated as a whole, rebuilt, assigned to, moved
+  /// from or destroyed.
   [[nodiscard]] TriangleView triangles() const noexcept;
   /// order()[p] is the user's index of triangle p of triangles(). Valid as long as triangles().
   [[nodiscard]] std::span<const std::uint32_t> order() const noexcept;
-  /// The smallest box around all triangles; the empty box if there are none. O(1).
+  /// The smallest box around all triangles; the empty box if there are none. O(1). Throws NeedsRefit if needs_refit().
   [[nodiscard]] Box box() const;
+
+  /// Replaces every triangle i by the one at i, and refits. O(n), in parallel; allocates twice the triangles for the
+  /// time of the call. Throws InvalidArgument for another number of triangles than size().
+  void update(std::span<const Triangle> all);
+  void update(const TriangleView& all);
+  void update(const MeshView& all);
+  /// Replaces triangle indices[i] by the one at i; if an index occurs twice, the last one counts. Queries throw
+  /// NeedsRefit until refit() is called. O(32 · indices.size()), except the first call, which is O(size()). Throws
+  /// InvalidArgument for an index that is not below size(), or if the numbers of indices and triangles differ.
+  void update(std::span<const std::uint32_t> indices, std::span<const Triangle> triangles);
+  void update(std::span<const std::uint32_t> indices, const TriangleView& triangles);
+  void update(std::span<const std::uint32_t> indices, const MeshView& triangles);
+  /// Fits the nodes above chunks whose triangles were updated by index since the last refit.
+  void refit();
+  /// Whether triangles were updated by index since the last refit.
+  [[nodiscard]] bool needs_refit() const noexcept;
+
+  /// The growth of the boxes around chunks since the tree was built or rebuilt: the sum of their surfaces, divided by
+  /// the sum then; 1 at first. At 2 or 3 a rebuild() pays. Infinite boxes are left out. +∞ if the sum was 0 and is not
+  /// 0 now. For a copy of a tree in an image, since the copy. O(size() / 32). Throws NeedsRefit if needs_refit().
+  [[nodiscard]] double sah_ratio() const;
+  /// Sorts the present triangles again. Indices stay; order() changes. Takes as long and as much memory as building.
+  void rebuild();
+  /// Renumbers the triangles in tree order: the index of triangle p of triangles() becomes p. O(n).
+  void reorder() noexcept;
 
  private:
   friend struct TriangleTreeAccess;  // queries read the parts

@@ -90,13 +90,19 @@ void for_sections(const TriangleParts& parts, const Use& use) {
   use(bytes_of(parts.order));
 }
 
+template <class Tree>
+void require_refitted_for_image(const Tree& tree) {
+  if (tree.needs_refit()) kernel::fail(NeedsRefit("the image of a tree whose bounds were updated; call refit() first"));
+}
+
 /// What a tree holds; null for an empty one.
 template <class Bound>
 const TreeParts<Bound>* parts_of(const BoundsTree<Bound>& tree) {
-  if (tree.needs_refit()) kernel::fail(NeedsRefit("the image of a tree whose bounds were updated; call refit() first"));
+  require_refitted_for_image(tree);
   return tree.size() == 0 ? nullptr : TreeAccess::parts(tree);
 }
-const TriangleParts* parts_of(const TriangleTree& tree) noexcept {
+const TriangleParts* parts_of(const TriangleTree& tree) {
+  require_refitted_for_image(tree);
   return tree.size() == 0 ? nullptr : &TriangleTreeAccess::parts(tree);
 }
 

@@ -14,49 +14,40 @@
 #include "streams/stream_access.hpp"
 #include "support/exact_floats.hpp"
 #include "support/fail.hpp"
+#include "support/float_environment.hpp"
 #include "support/index_range.hpp"
 #include "tree/triangle_parts.hpp"
 
-namespace SHAFTCULL_INTERFACE shaftcull {
+namespace shaftcull::kernel {
 namespace {
-
-using kernel::TriangleParts;
 
 constexpr std::size_t chunk_size = TriangleTree::chunk_size;
 
-/// A copy of the triangles, the one at order[i] at i.
-TriangleStream in_order(const TriangleView& triangles, std::span<const std::uint32_t> order) {
-  auto sorted = StreamAccess::not_written<TriangleStream>(order.size());
-  const auto row = StreamAccess::rows(sorted);
-  kernel::parallel_for(row.size(), 1, [&](std::size_t s, std::size_t) {
-    for (std::size_t i = 0; i != order.size(); ++i) row[s][i] = triangles.stream[s][order[i]];
-  });
-  return sorted;
-}
-
 /// The boxes around each `size` triangles.
 BoxStream boxes_around(const TriangleView& triangles, std::size_t size) {
-  auto boxes = StreamAccess::not_written<BoxStream>(kernel::chunk_count(triangles.count, size));
+  auto boxes = StreamAccess::not_written<BoxStream>(chunk_count(triangles.count, size));
   const auto row = StreamAccess::rows(boxes);
-  kernel::parallel_for(3, 1, [&](std::size_t k, std::size_t) {
-    for (std::size_t c = 0; c != boxes.size(); ++c) {
-      const kernel::IndexRange chunk = kernel::chunk_at(triangles.count, size, c);
-      float lo = triangles.stream[k][chunk.first];
-      float hi = lo;
-      for (std::size_t s = k; s < triangles.stream.size(); s += 3) {
-        for (std::size_t i = chunk.first; i != chunk.end(); ++i) {
-          lo = std::min(lo, triangles.stream[s][i]);
-          hi = std::max(hi, triangles.stream[s][i]);
-        }
-      }
-      row[k][c] = lo;
-      row[k + 3][c] = hi;
+  constexpr std::size_t in_task = 1024;
+  parallel_for(chunk_count(boxes.size(), in_task), 1, [&](std::size_t t, std::size_t) {
+    const IndexRange task = chunk_at(boxes.size(), in_task, t);
+    for (std::size_t c = task.first; c != task.end(); ++c) {
+      write_box_around(triangles, chunk_at(triangles.count, size, c), row, c);
     }
   });
   return boxes;
 }
 
-/// Sorts triangles: neighbours together, then chunks of them in the order of the tree of their boxes.
+}  // namespace
+
+TriangleStream triangles_in_order(const TriangleView& triangles, std::span<const std::uint32_t> order) {
+  auto sorted = StreamAccess::not_written<TriangleStream>(order.size());
+  const auto row = StreamAccess::rows(sorted);
+  parallel_for(row.size(), 1, [&](std::size_t s, std::size_t) {
+    for (std::size_t i = 0; i != order.size(); ++i) row[s][i] = triangles.stream[s][order[i]];
+  });
+  return sorted;
+}
+
 void build(TriangleParts& parts, const TriangleStream& triangles) {
   const std::size_t size = triangles.size();
   std::vector<std::uint32_t> neighbours;
@@ -64,19 +55,24 @@ void build(TriangleParts& parts, const TriangleStream& triangles) {
     const BoxTree sorted(boxes_around(triangles, 1).view());
     neighbours.assign(sorted.order().begin(), sorted.order().end());
   }
-  parts.chunks = BoxTree(boxes_around(in_order(triangles, neighbours), chunk_size).view());
+  parts.chunks = BoxTree(boxes_around(triangles_in_order(triangles, neighbours), chunk_size).view());
   const std::span<const std::uint32_t> chunk_order = parts.chunks.order();
-  parts.order = kernel::TreeArray<std::uint32_t>(size);
+  parts.order = TreeArray<std::uint32_t>(size);
   std::uint32_t* next = parts.order.data();
   for (std::size_t leaf = 0; leaf != chunk_order.size(); ++leaf) {
-    const kernel::IndexRange chunk = kernel::chunk_at(size, chunk_size, chunk_order[leaf]);
+    const IndexRange chunk = chunk_at(size, chunk_size, chunk_order[leaf]);
     next = std::copy_n(neighbours.data() + chunk.first, chunk.size, next);
     if (chunk.size == chunk_size) continue;
     parts.short_chunk = leaf;
     parts.missing = chunk_size - chunk.size;
   }
-  parts.triangles = in_order(triangles, parts.order);
+  parts.triangles = triangles_in_order(triangles, parts.order);
 }
+
+}  // namespace shaftcull::kernel
+
+namespace SHAFTCULL_INTERFACE shaftcull {
+namespace {
 
 /// The triangles, packed and checked.
 template <class Source>
@@ -91,7 +87,7 @@ template <class Parts>
 std::unique_ptr<Parts> built_of(const TriangleStream& triangles) {
   if (triangles.size() == 0) return nullptr;
   auto parts = std::make_unique<Parts>();
-  build(*parts, triangles);
+  kernel::in_float_environment([&] { kernel::build(*parts, triangles); });
   return parts;
 }
 

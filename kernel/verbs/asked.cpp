@@ -14,6 +14,11 @@
 namespace shaftcull::kernel {
 namespace {
 
+template <class Tree>
+void require_refitted(const Tree& tree) {
+  if (tree.needs_refit()) fail(NeedsRefit("query of a tree whose bounds were updated; call refit() first"));
+}
+
 /// The streams and layers of bounds, which are checked.
 template <class View>
 ScannedBounds read(const View& view, std::span<const std::uint32_t> layers) {
@@ -28,7 +33,7 @@ ScannedBounds read(const View& view, std::span<const std::uint32_t> layers) {
 
 template <class Bound>
 ScannedBounds read(const BoundsTree<Bound>* tree, std::span<const std::uint32_t> /*layers*/) {
-  if (tree->needs_refit()) fail(NeedsRefit("query of a tree whose bounds were updated; call refit() first"));
+  require_refitted(*tree);
   static const ViewOf<Bound> nothing;
   const TreeParts<Bound>* const parts = TreeAccess::parts(*tree);
   if (parts == nullptr) return {BoundStreams(nothing), nullptr, {}, {}};
@@ -47,6 +52,7 @@ ScannedBounds read(const TreeSnapshot<Bound>* snapshot, std::span<const std::uin
 }
 
 ScannedBounds read(const TriangleTree* tree, std::span<const std::uint32_t> /*layers*/) {
+  require_refitted(*tree);
   return {BoundStreams(StreamAccess::view(TriangleTreeAccess::parts(*tree).triangles)), nullptr, {}, {}};
 }
 

@@ -2,7 +2,10 @@
 /// Public calls that make streams and trees of triangles, and that ask about one triangle.
 #pragma once
 
+#include <bit>
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include "calls/call_table.hpp"
 #include "shaftcull/shaftcull.hpp"
@@ -23,6 +26,21 @@ inline void add_triangle_calls(CallTable& table) {
     const TriangleTree tree(stream.view());
     note(words, tree.order());
     note(words, tree.box());
+  });
+  table.add("updates of a TriangleTree", false, [&table](AnswerWords& words) {
+    TriangleTree tree(table.triangles);
+    std::vector<Triangle> others(table.triangles.rbegin(), table.triangles.rend());
+    tree.update(others);
+    note(words, tree.box());
+    const std::uint32_t some[] = {5, 2};
+    tree.update(some, std::span<const Triangle>(table.triangles).first(2));
+    tree.refit();
+    note(words, tree.box());
+    note(words, std::bit_cast<std::uint64_t>(tree.sah_ratio()));
+    tree.rebuild();
+    tree.reorder();
+    note(words, tree.order());
+    note(words, count(table.shafts[0], tree));
   });
 }
 

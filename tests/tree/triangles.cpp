@@ -21,9 +21,12 @@
 #include "oracle/cases/triangles.hpp"
 #include "sanitizers.hpp"
 #include "shaftcull/cull.hpp"
+#include "shaftcull/error.hpp"
+#include "shaftcull/geometry.hpp"
 #include "shaftcull/hull.hpp"
 #include "shaftcull/many.hpp"
 #include "shaftcull/tree.hpp"
+#include "shaftcull/tree_image.hpp"
 #include "shaftcull/volumes.hpp"
 
 namespace shaftcull {
@@ -241,6 +244,132 @@ TEST(TriangleTree, IsCopiedAndMovedAsAValue) {
     EXPECT_EQ(count(shaft, moved), 0U);
     EXPECT_FALSE(any(shaft, moved));
   }
+}
+
+/// Whether a tree answers as a view of the triangles, with both tests.
+void expect_answers_of(const TriangleTree& tree, const std::vector<Triangle>& triangles, Random& random) {
+  const TriangleColumns memory(triangles);
+  Box around = empty_box;
+  for (const Triangle& triangle : triangles) around = joined(around, box_around(triangle.vertex));
+  EXPECT_EQ(tree.box(), around);
+  for (const CompiledShaft& shaft : shafts_for(random)) {
+    for (const TriangleTest test : tests) {
+      const Query query{.triangle_test = test};
+      std::vector<std::uint32_t> of_tree;
+      std::vector<std::uint32_t> of_view;
+      list(shaft, tree, of_tree, query);
+      list(shaft, memory.view(), of_view, query);
+      EXPECT_EQ(sorted(of_tree), of_view);
+      EXPECT_EQ(count_classified(shaft, tree, query), count_classified(shaft, memory.view(), query));
+    }
+  }
+}
+
+TEST(TriangleTree, AnswersForTrianglesThatWereUpdated) {
+  Random random(860);
+  for (const std::size_t count : {0U, 1U, 31U, 32U, 33U, 100U, 2049U, 6139U}) {
+    SCOPED_TRACE(std::to_string(count) + " triangles");
+    TriangleTree tree{std::span<const Triangle>(triangles_of(random, count))};
+    std::vector<Triangle> now;
+    for (int way = 0; way != 3; ++way) {
+      now = triangles_of(random, count);
+      if (way == 0) tree.update(std::span<const Triangle>(now));
+      if (way == 1) tree.update(TriangleColumns(now).view());
+      if (way == 2) {
+        std::vector<Vec3> vertices;
+        for (const Triangle& triangle : now)
+          vertices.insert(vertices.end(), triangle.vertex.begin(), triangle.vertex.end());
+        std::vector<std::uint32_t> indices(vertices.size());
+        std::iota(indices.begin(), indices.end(), 0U);
+        tree.update(mesh_view(vertices, indices));
+      }
+      expect_answers_of(tree, now, random);
+    }
+    if (count == 0) continue;
+    for (const std::size_t some : {std::size_t{1}, count / 2, 2 * count}) {
+      std::vector<std::uint32_t> indices;
+      const std::vector<Triangle> others = triangles_of(random, some);
+      for (std::size_t i = 0; i != some; ++i) {
+        indices.push_back(random.below(static_cast<unsigned>(count)));
+        now[indices.back()] = others[i];  // the last one counts
+      }
+      tree.update(std::span<const std::uint32_t>(indices), std::span<const Triangle>(others));
+      EXPECT_EQ(tree.needs_refit(), some != 0);
+      tree.refit();
+      EXPECT_FALSE(tree.needs_refit());
+      expect_answers_of(tree, now, random);
+    }
+    const TriangleTree copy(tree);
+    tree.rebuild();
+    EXPECT_EQ(tree.sah_ratio(), 1);
+    const TriangleTree fresh{std::span<const Triangle>(now)};
+    EXPECT_TRUE(std::ranges::equal(tree.order(), fresh.order()));
+    expect_answers_of(tree, now, random);
+    expect_answers_of(copy, now, random);
+    std::vector<Triangle> reordered;
+    for (const std::uint32_t index : tree.order()) reordered.push_back(now[index]);
+    tree.reorder();
+    expect_answers_of(tree, reordered, random);
+    const std::uint32_t last = static_cast<std::uint32_t>(count - 1);
+    tree.update(std::span(&last, 1), std::span<const Triangle>(now).first(1));
+    reordered[last] = now[0];
+    tree.refit();
+    expect_answers_of(tree, reordered, random);
+  }
+}
+
+TEST(TriangleTree, GrowsWithWhatItsTrianglesDo) {
+  std::vector<Triangle> triangles;
+  for (int i = 0; i != 640; ++i) {
+    const auto x = static_cast<float>(i);
+    triangles.push_back({{{{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}}}});
+  }
+  TriangleTree tree{std::span<const Triangle>(triangles)};
+  EXPECT_EQ(tree.sah_ratio(), 1);
+  for (Triangle& triangle : triangles) {
+    for (Vec3& vertex : triangle.vertex) vertex[1] *= 4;
+  }
+  tree.update(std::span<const Triangle>(triangles));
+  EXPECT_EQ(tree.sah_ratio(), 4);
+  tree.rebuild();
+  EXPECT_EQ(tree.sah_ratio(), 1);
+}
+
+TEST(TriangleTree, RefusesUpdatesThatItCannotUseAndQueriesBeforeARefit) {
+  const std::vector<Triangle> triangles(100, Triangle{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}});
+  TriangleTree tree{std::span<const Triangle>(triangles)};
+  const std::span<const Triangle> all(triangles);
+  const CompiledShaft shaft = compile({{-1, -1, -1}, {0, 0, 0}}, {{1, 1, 0}, {2, 2, 1}});
+  const std::uint32_t some[] = {5, 100};
+  EXPECT_THAT(message_of([&] { tree.update(all.first(99)); }),
+              testing::HasSubstr("update of a tree of 100 triangles got 99"));
+  EXPECT_THAT(message_of([&] { tree.update(some, all.first(2)); }), testing::HasSubstr("indices[1] = 100"));
+  EXPECT_THAT(message_of([&] { tree.update(std::span(some).first(1), all.first(2)); }),
+              testing::HasSubstr("1 index and 2 triangles"));
+  std::vector<Triangle> bad(triangles);
+  bad[7].vertex[1][2] = std::numeric_limits<float>::infinity();
+  EXPECT_THROW(tree.update(std::span<const Triangle>(bad)), BadBound);
+  EXPECT_THROW(tree.update(std::span(some).first(1), std::span<const Triangle>(bad).subspan(7, 1)), BadBound);
+  EXPECT_FALSE(tree.needs_refit());
+  EXPECT_EQ(count(shaft, tree), 100U);
+  EXPECT_EQ(tree.sah_ratio(), 1);
+
+  tree.update(std::span(some).first(1), all.first(1));
+  EXPECT_THROW((void)count(shaft, tree), NeedsRefit);
+  EXPECT_THROW((void)tree.box(), NeedsRefit);
+  EXPECT_THROW((void)tree.sah_ratio(), NeedsRefit);
+  EXPECT_THROW((void)image_bytes(tree), NeedsRefit);
+  tree.refit();
+  EXPECT_EQ(count(shaft, tree), 100U);
+  tree.update(tree.triangles());  // its own memory is copied first
+  EXPECT_EQ(count(shaft, tree), 100U);
+  TriangleTree nothing;
+  nothing.update(all.first(0));
+  nothing.rebuild();
+  nothing.reorder();
+  nothing.refit();
+  EXPECT_EQ(nothing.sah_ratio(), 1);
+  EXPECT_THROW(nothing.update(all), InvalidArgument);
 }
 
 TEST(TriangleTree, RefusesWhatItCannotUse) {

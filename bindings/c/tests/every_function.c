@@ -472,7 +472,7 @@ static void trees(void) {
   CHECK(info.order[0] + info.order[1] == 1 && info.box.lo[0] == 2 && info.box.hi[0] == 9);
   shaftcull_bounds* stream = NULL;
   OK(shaftcull_stream_create(&source, &stream));
-  REFUSED(shaftcull_tree_refit(stream), "a stream of boxes; this call takes a tree of boxes or spheres");
+  REFUSED(shaftcull_tree_refit(stream), "a stream of boxes; this call takes a tree that is not dynamic");
   shaftcull_bounds_free(stream);
   const shaftcull_source nothing = shaftcull_boxes(NULL, 0);
   OK(shaftcull_tree_create(&nothing, &stream));
@@ -506,18 +506,27 @@ static void trees(void) {
   REFUSED(shaftcull_bounds_update(tree, 1, &one), "first = 1; all bounds of a tree are updated");
   REFUSED(shaftcull_bounds_update(tree, 0, &of_triangles), "kind");
   REFUSED(shaftcull_bounds_update(tree, 0, &of_spheres), "kind");
-  REFUSED(shaftcull_bounds_update(mesh, 0, &of_triangles), "a tree of triangles");
+  OK(shaftcull_bounds_update(mesh, 0, &of_triangles));
+  REFUSED(shaftcull_bounds_update(mesh, 0, &of_spheres), "a tree of triangles");
   REFUSED(shaftcull_bounds_update(tree, 0, NULL), "source is NULL");
   const shaftcull_source itself = shaftcull_source_of(tree);
   REFUSED(shaftcull_bounds_update(tree, 0, &itself), "own");
   REFUSED(shaftcull_tree_update_some(tree, &far_index, 1, &one), "2");
   REFUSED(shaftcull_tree_update_some(tree, NULL, 1, &one), "indices is NULL");
-  REFUSED(shaftcull_tree_update_some(mesh, &index, 1, &of_triangles), "a tree of triangles");
+  const shaftcull_source one_face = shaftcull_triangles(faces, 1);
+  OK(shaftcull_tree_update_some(mesh, &index, 1, &one_face));
+  OK(shaftcull_bounds_describe(mesh, &info));
+  CHECK(info.needs_refit == 1);
+  REFUSED(shaftcull_tree_update_some(mesh, &index, 1, &one), "kind");
+  REFUSED(shaftcull_tree_update_some(mesh, &far_index, 1, &one_face), "2");
   REFUSED(shaftcull_tree_refit(NULL), "tree is NULL");
-  REFUSED(shaftcull_tree_refit(mesh), "a tree of triangles");
-  REFUSED(shaftcull_tree_rebuild(mesh), "a tree of triangles");
-  REFUSED(shaftcull_tree_reorder(mesh), "a tree of triangles");
-  REFUSED(shaftcull_tree_describe(mesh, &about), "a tree of triangles");
+  OK(shaftcull_tree_refit(mesh));
+  OK(shaftcull_bounds_describe(mesh, &info));
+  CHECK(info.needs_refit == 0 && info.box.hi[0] == 3); /* both are the first one now */
+  OK(shaftcull_tree_rebuild(mesh));
+  OK(shaftcull_tree_reorder(mesh));
+  OK(shaftcull_tree_describe(mesh, &about));
+  CHECK(about.growth == 1 && about.bound_count == 2);
   REFUSED(shaftcull_tree_describe(tree, NULL), "info is NULL");
 
   shaftcull_bounds_free(tree);
@@ -636,7 +645,7 @@ static void dynamic_trees(void) {
   REFUSED(shaftcull_dynamic_tree_read(tree, ids, 1, NULL), "bounds is NULL");
   REFUSED(shaftcull_dynamic_tree_commit(NULL), "tree is NULL");
   REFUSED(shaftcull_dynamic_tree_commit(snapshot), "a snapshot of boxes; this call takes a dynamic tree");
-  REFUSED(shaftcull_tree_refit(tree), "a dynamic tree of boxes; this call takes a tree of boxes or spheres");
+  REFUSED(shaftcull_tree_refit(tree), "a dynamic tree of boxes; this call takes a tree that is not dynamic");
   REFUSED(shaftcull_bounds_update(tree, 0, &boxes), "a dynamic tree of boxes");
   CHECK(count_of(tree) == 1); /* nothing was changed */
 

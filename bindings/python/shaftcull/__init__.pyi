@@ -996,9 +996,36 @@ class TriangleTree(Triangles):
     BadBound, with the index of the first, for coordinates that are not finite.
     TypeError or ValueError for other arrays.
 
-    Any number of threads may query one tree at once. It does not change.
+    Any number of threads may query one tree at once. A change, such as update(), must be alone.
     """
     def __init__(self, triangles: _Floats, faces: _Integers | None = None) -> None: ...
+    def update(
+        self, triangles: _Floats, indices: _Integers | None = None, faces: _Integers | None = None
+    ) -> None:
+        """Gives bounds new values, which are as those of the class: all bounds, in the order of their indices; or
+        those at `indices`, integers (k,), and then refit() is due before the next query. IndexError for an index
+        that names nothing.
+
+        TypeError, ValueError or BadBound says which argument or bound is wrong; then nothing is changed.
+        RuntimeError if another thread uses this object. Other threads of Python go on meanwhile.
+        """
+    def refit(self) -> None:
+        """Fits the nodes to bounds that were updated by indices. RuntimeError if another thread uses the tree."""
+    @property
+    def needs_refit(self) -> bool:
+        """bool: whether bounds were updated by indices since the last refit()."""
+    def rebuild(self) -> None:
+        """Sorts the bounds again, as they are now. Indices stay, `order` changes. It pays when sah_ratio() is 2 or 3.
+        RuntimeError if another thread uses the tree.
+        """
+    def reorder(self) -> None:
+        """Numbers the bounds again, by their places in the order of the tree. RuntimeError if another thread uses the
+        tree.
+        """
+    def sah_ratio(self) -> float:
+        """How much larger the smallest nodes have become since the tree was built: float, 1 at first.
+        NeedsRefit if the tree needs refit().
+        """
     @property
     def order(self) -> npt.NDArray[np.uint32]:
         """uint32 (bounds,): the indices of the bounds in the order of the tree. A copy."""

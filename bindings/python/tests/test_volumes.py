@@ -320,7 +320,7 @@ def test_triangles_are_asked_less_than_boxes():
     with pytest.raises(ValueError, match="a tree of triangles has no layers"):
         tree.set_layers([1] * 20)
     tree.clear_layers()
-    assert not tree.has_layers and not hasattr(tree, "update")
+    assert not tree.has_layers
 
 
 def test_a_slanted_triangle_is_passed_by_where_its_box_is_not():
@@ -365,3 +365,28 @@ def test_bad_triangles_are_refused():
     changed[3:5], changed[9] = some_triangles(20, 2), 0
     shafts = sc.Shafts.between(some_boxes(2, 9), some_boxes(3, 9))
     np.testing.assert_array_equal(stream.cull(shafts), sc.TriangleStream(changed).cull(shafts))
+
+
+def test_trees_of_triangles_are_updated():
+    values, moved = some_triangles(21, 300), some_triangles(22, 300)
+    tree, hull = sc.TriangleTree(values), sc.ConvexHull(CUBE)
+    now = moved.copy()
+    tree.update(moved)
+    assert sorted(tree.list(hull)) == list(sc.TriangleStream(now).list(hull))
+    tree.update(values[3:5], indices=[7, 9])
+    now[[7, 9]] = values[3:5]
+    assert tree.needs_refit
+    with pytest.raises(sc.NeedsRefit):
+        tree.list(hull)
+    tree.refit()
+    assert sorted(tree.list(hull)) == list(sc.TriangleStream(now).list(hull))
+    tree.rebuild()
+    assert tree.sah_ratio() == 1
+    order = tree.order
+    tree.reorder()
+    assert sorted(tree.list(hull)) == list(sc.TriangleStream(now[order]).list(hull))
+    faces = np.arange(900, dtype=np.int32).reshape(-1, 3)
+    tree.update(now.reshape(-1, 3), faces=faces)
+    assert sorted(tree.list(hull)) == list(sc.TriangleStream(now).list(hull))
+    with pytest.raises(ValueError, match="299"):
+        tree.update(now[:299])

@@ -188,19 +188,21 @@ const asTree = (Base) => class extends Base {
 
 /** These under a tree, whose bounds may move. */
 const asMovingTree = (Base) => class extends asTree(Base) {
-  update(values) {
+  update(values, options = {}) {
+    checkOptions(options, this.kind === 'triangles' ? ['indices'] : []);
     const {module} = this;
     module.scratch((scratch) => {
-      const {pointer} = boundsSource(scratch, this.kind, values);
+      const {pointer} = boundsSource(scratch, this.kind, values, options.indices);
       module.call('shaftcull_bounds_update', this.handle, 0n, pointer);
     });
   }
 
-  updateSome(indices, values) {
+  updateSome(indices, values, options = {}) {
+    checkOptions(options, this.kind === 'triangles' ? ['indices'] : []);
     const {module} = this;
     const which = asIndices(indices, 'indices');
     module.scratch((scratch) => {
-      const {pointer} = boundsSource(scratch, this.kind, values);
+      const {pointer} = boundsSource(scratch, this.kind, values, options.indices);
       const count = BigInt(which.length);
       module.call('shaftcull_tree_update_some', this.handle, scratch.copy(which), count, pointer);
     });
@@ -228,7 +230,7 @@ const asMovingTree = (Base) => class extends asTree(Base) {
 };
 
 const streams = {boxes: asStream(BoxBounds), spheres: asStream(SphereBounds), triangles: asStream(Bounds)};
-const trees = {boxes: asMovingTree(BoxBounds), spheres: asMovingTree(SphereBounds), triangles: asTree(Bounds)};
+const trees = {boxes: asMovingTree(BoxBounds), spheres: asMovingTree(SphereBounds), triangles: asMovingTree(Bounds)};
 
 const created = (module, Class, create, ...values) => module.scratch(
     (scratch) => new Class(module, made(module, create, boundsSource(scratch, ...values).pointer)));

@@ -428,7 +428,11 @@ export interface Tree {
   readonly box: Float32Array;
 }
 
-export interface TriangleTree extends TriangleBounds, Tree {}
+/** With `indices`, triangles are given as for `triangleTree()`. */
+export interface TriangleTree extends TriangleBounds, Omit<MovingTree, 'update' | 'updateSome'> {
+  update(triangles: Floats, options?: {indices?: ArrayLike<number>}): void;
+  updateSome(indices: ArrayLike<number>, triangles: Floats, options?: {indices?: ArrayLike<number>}): void;
+}
 
 /** A tree whose bounds may move. */
 export interface MovingTree extends Tree {

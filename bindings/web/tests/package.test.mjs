@@ -347,6 +347,29 @@ describe('bounds that change', () => {
   const trianglesOf = (count, seed) => Float32Array.from(
       {length: 9 * count}, (_, i) => boxesOf(count, seed)[6 * Math.floor(i / 9) + i % 3] + i % 4);
 
+  test('trees of triangles are updated, and rebuilt', () => {
+    const [values, moved] = [trianglesOf(300, 51), trianglesOf(300, 52)];
+    const tree = shaftcull.triangleTree(values);
+    const answer = () => ascending(tree.list(shaftcull.between([0, 0, 0, 9, 9, 9], [80, 80, 80, 99, 99, 99])));
+    const of = (floats) => [...shaftcull.triangleStream(floats)
+        .list(shaftcull.between([0, 0, 0, 9, 9, 9], [80, 80, 80, 99, 99, 99]))];
+    tree.update(moved);
+    assert.deepEqual(answer(), of(moved));
+    tree.updateSome([7], values.subarray(63, 72));
+    assert.equal(tree.needsRefit, true);
+    assert.throws(answer, ShaftcullError);
+    tree.refit();
+    const now = Float32Array.from(moved);
+    now.set(values.subarray(63, 72), 63);
+    assert.deepEqual(answer(), of(now));
+    tree.rebuild();
+    assert.equal(tree.sahRatio, 1);
+    assert.deepEqual(answer(), of(now));
+    tree.update(now, {indices: Array.from({length: 900}, (_, i) => i)});
+    assert.deepEqual(answer(), of(now));
+    assert.throws(() => tree.update(now, {first: 1}), /no option 'first'/);
+  });
+
   test('trees are updated by index, and refuse queries until they are refitted', () => {
     for (const [kind, of, floats] of [['box', boxesOf, 6], ['sphere', spheresOf, 4]]) {
       const [values, moved] = [of(500, 21), of(3, 22)];
