@@ -41,7 +41,7 @@ BARS = [Bar("Boost R-tree", "1 M boxes, 1 % replaced and 1 % moved", "dynamic/1m
 def pattern() -> str:
     """The filter of shaftcull-bench that measures all bars."""
     rows = {row.replace("{best}", "[^/]+") for bar in BARS for row in (bar.ours, bar.theirs)}
-    return "^(" + "|".join(sorted(rows)) + ")$"
+    return "^(" + "|".join(sorted(rows)) + ")(/|$)"  # names go on with how often a row is run
 
 
 def ratio_of(summary: dict, bar: Bar, best: str) -> Optional[float]:
