@@ -78,6 +78,7 @@ void write_map_svg(const FacetScene& scene, const FacetMap& map, const std::stri
 
 void write_map_ply(const FacetScene& scene, const FacetMap& map, const std::string& path) {
   const FactorPatches& patches = scene.patches;
+  const WorldPoint& origin = scene.scene.mesh.origin;
   OutputFile file(path);
   TextLines lines(file);
   lines.add("ply\nformat ascii 1.0\n");
@@ -86,14 +87,20 @@ void write_map_ply(const FacetScene& scene, const FacetMap& map, const std::stri
   }
   // Many programs show colours of vertices only.
   lines.add(
-      "element vertex {}\nproperty float x\nproperty float y\nproperty float z\n"
+      "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
       "property uchar red\nproperty uchar green\nproperty uchar blue\n"
       "element face {}\nproperty list uchar int vertex_indices\nproperty uint object\nproperty float {}\nend_header\n",
       patches.corners.size(), patches.size(), map.name);
   for (std::size_t i = 0; i != patches.size(); ++i) {
     const auto [red, green, blue] = colour_at(ramp_of_seen, place_in(map, i));
     for (const Vec3& corner : patches.of(i)) {
-      lines.add("{} {} {} {} {} {}\n", corner[0], corner[1], corner[2], red, green, blue);
+      // With an origin, all digits of the sum are those of doubles.
+      if (origin == WorldPoint{}) {
+        lines.add("{} {} {} {} {} {}\n", corner[0], corner[1], corner[2], red, green, blue);
+      } else {
+        lines.add("{} {} {} {} {} {}\n", double{corner[0]} + origin[0], double{corner[1]} + origin[1],
+                  double{corner[2]} + origin[2], red, green, blue);
+      }
     }
   }
   for (std::size_t i = 0; i != patches.size(); ++i) {

@@ -89,6 +89,7 @@ Message read_scene(const std::string& path, const MeshReading& reading) {
   try {
     const MeshScene scene = load_mesh(path, reading);
     message.put(Verdict::scene);
+    message.put(scene.origin);
     message.put(scene.names.size());
     for (const std::string& name : scene.names) message.put_sequence(name);
     message.put_sequence(scene.boxes);
@@ -174,6 +175,7 @@ MeshScene load_mesh_isolated(const std::string& path, const MeshReading& reading
   try {
     if (message.take<Verdict>() == Verdict::scene) {
       MeshScene scene;
+      scene.origin = message.take<WorldPoint>();
       scene.names.resize(message.take<std::size_t>());
       for (std::string& name : scene.names) name = message.take_sequence<std::string>();
       scene.boxes = message.take_sequence<std::vector<Box>>();

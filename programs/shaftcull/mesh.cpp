@@ -34,8 +34,9 @@ void grow(Box& box, const Box& other) {
 /// Walks a file's nodes and collects what has faces.
 class Collector {
  public:
-  Collector(const std::string& path, const aiScene& file, const MeshReading& reading)
-      : path_(path), file_(file), reading_(reading) {}
+  /// `origin` is what is subtracted yet.
+  Collector(const std::string& path, const aiScene& file, const MeshReading& reading, const WorldPoint& origin)
+      : path_(path), file_(file), reading_(reading), origin_(origin) {}
 
   MeshScene collect() {
     split_meshes_ = count_nodes_with_meshes(*file_.mRootNode) == 1;
@@ -146,6 +147,7 @@ class Collector {
       require_finite({in_file.x, in_file.y, in_file.z}, index, object, "in the file");
       const aiVector3D vertex = to_world * in_file;
       vertices[i] = {vertex.x, vertex.y, vertex.z};
+      for (std::size_t k = 0; k != 3; ++k) vertices[i][k] = static_cast<float>(double{vertices[i][k]} - origin_[k]);
       require_finite(vertices[i], index, object, "in world space");
     }
     return vertices;
@@ -169,6 +171,7 @@ class Collector {
   const std::string& path_;
   const aiScene& file_;
   MeshReading reading_;
+  WorldPoint origin_;
   bool split_meshes_ = false;
   std::vector<Object> objects_;
   std::map<unsigned, std::size_t> object_of_material_;
@@ -180,8 +183,14 @@ class Collector {
 }  // namespace
 
 MeshScene load_mesh(const std::string& path, const MeshReading& reading) {
-  const MeshImport import(path);
-  return Collector(import.name(), import.scene(), reading).collect();
+  const MeshImport import(path, reading.origin);
+  // Of formats other than OBJ, coordinates are floats already.
+  const WorldPoint origin = reading.origin.value_or(import.subtracted());
+  WorldPoint left{};
+  for (std::size_t k = 0; k != 3; ++k) left[k] = origin[k] - import.subtracted()[k];
+  MeshScene scene = Collector(import.name(), import.scene(), reading, left).collect();
+  scene.origin = origin;
+  return scene;
 }
 
 }  // namespace shaftcull::cli

@@ -5,12 +5,16 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "shaftcull/bounds.hpp"
 
 namespace shaftcull::cli {
+
+/// A point of a large world.
+using WorldPoint = std::array<double, 3>;
 
 /// A triangle of an object, which faces where its right-hand normal points: as in the file, also if its node reflects
 /// it. Points and lines are triangles with vertices repeated.
@@ -37,6 +41,7 @@ struct MeshPart {
 /// "object 1", …; a name that comes again gets a suffix, "wheel #2". Triangles include points, lines and parts of
 /// larger faces.
 struct MeshScene {
+  WorldPoint origin{};                  ///< what was subtracted from coordinates of the file; times --scale afterwards
   std::vector<std::string> names;       ///< one for each object, all different
   std::vector<Box> boxes;               ///< one for each object
   std::vector<MeshPart> parts;          ///< at least one of each object, by object
@@ -47,6 +52,9 @@ struct MeshScene {
 struct MeshReading {
   bool triangles = true;
   bool by_material = false;  ///< objects are materials, not nodes
+  /// What is subtracted from coordinates before they are rounded to floats. If it is not given, and the file has digits
+  /// that floats lose (mesh_origin.hpp), it is chosen.
+  std::optional<WorldPoint> origin = WorldPoint{};
 };
 
 /// Reads any format that assimp knows. Throws InvalidArgument, naming the file, if it is missing, empty, broken, of an

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <set>
+#include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -39,8 +41,11 @@ MeshScene load_mesh_files(std::span<const std::string> paths, const MeshReading&
   if (paths.size() == 1) return load_mesh_isolated(paths.front(), reading);
   MeshScene scene;
   std::set<std::string> taken;
+  MeshReading same_origin = reading;
   for (const std::string& path : paths) {
-    append(scene, load_mesh_isolated(path, reading), file_name(file_path(path).stem()), taken);
+    MeshScene more = load_mesh_isolated(path, same_origin);
+    same_origin.origin = scene.origin = more.origin;
+    append(scene, std::move(more), file_name(file_path(path).stem()), taken);
   }
   return scene;
 }

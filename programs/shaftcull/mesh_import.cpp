@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -13,12 +14,15 @@
 #include <system_error>
 #include <utility>
 
+#include <assimp/DefaultIOSystem.h>
+#include <assimp/MemoryIOWrapper.h>
 #include <assimp/commonMetaData.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
 #include <assimp/Importer.hpp>
 
+#include "mesh_origin.hpp"
 #include "shaftcull/error.hpp"
 
 namespace shaftcull::cli {
@@ -129,13 +133,51 @@ std::string refusal_of(const std::string& path, const Assimp::Importer& importer
   return fmt::format("{}: files of this kind cannot be read; convert it to one of {}", path, formats);
 }
 
-void read_file(Assimp::Importer& importer, const std::string& path) {
-  require_complete_ply_header(path);
-  if (importer.ReadFile(path, steps) == nullptr) throw InvalidArgument(refusal_of(path, importer));
+/// The file system, in which one file has other contents.
+class OneFileReplaced : public Assimp::DefaultIOSystem {
+ public:
+  OneFileReplaced(std::string path, std::string bytes) : path_(std::move(path)), bytes_(std::move(bytes)) {}
+
+  Assimp::IOStream* Open(const char* path, const char* mode) override {
+    if (path != path_) return DefaultIOSystem::Open(path, mode);
+    return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(bytes_.data()), bytes_.size());
+  }
+
+ private:
+  std::string path_;
+  std::string bytes_;
+};
+
+/// Whether the name of a file says that it is an OBJ file.
+bool is_named_obj(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  for (char& letter : ending) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return ending == ".obj";
 }
 
-void read_stream(Assimp::Importer& importer, const std::string& path, const std::string& name) {
-  const std::string bytes = bytes_of(path, name);
+/// The origin of an OBJ file: the given one, or one that is chosen.
+WorldPoint origin_for(std::string_view obj, const std::optional<WorldPoint>& origin) {
+  return origin ? *origin : origin_of_obj(obj).value_or(WorldPoint{});
+}
+
+/// Returns what was subtracted.
+WorldPoint read_file(Assimp::Importer& importer, const std::string& path, const std::optional<WorldPoint>& origin) {
+  require_complete_ply_header(path);
+  WorldPoint subtracted{};
+  if (is_named_obj(path) && origin != WorldPoint{}) {
+    std::string bytes = bytes_of(path, path);
+    subtracted = origin_for(bytes, origin);
+    if (subtracted != WorldPoint{}) {
+      importer.SetIOHandler(new OneFileReplaced(path, obj_relative_to(bytes, subtracted)));  // which it owns
+    }
+  }
+  if (importer.ReadFile(path, steps) == nullptr) throw InvalidArgument(refusal_of(path, importer));
+  return subtracted;
+}
+
+WorldPoint read_stream(Assimp::Importer& importer, const std::string& path, const std::string& name,
+                       const std::optional<WorldPoint>& origin) {
+  std::string bytes = bytes_of(path, name);
   const std::string ending = ending_of(bytes);
   if (ending.empty()) {
     throw InvalidArgument(
@@ -144,10 +186,14 @@ void read_stream(Assimp::Importer& importer, const std::string& path, const std:
                     name));
   }
   if (ending == "ply" && bytes.find("end_header") == std::string::npos) refuse_endless_header(name);
+  WorldPoint subtracted{};
+  if (ending == "obj") subtracted = origin_for(bytes, origin);
+  if (subtracted != WorldPoint{}) bytes = obj_relative_to(bytes, subtracted);
   if (importer.ReadFileFromMemory(bytes.data(), bytes.size(), steps, ending.c_str()) == nullptr) {
     throw InvalidArgument(fmt::format("{}: begins as a file of format {}, and is broken; assimp says: {}", name, ending,
                                       importer.GetErrorString()));
   }
+  return subtracted;
 }
 
 /// In IFC files z points up. assimp's reader turns it to y by a matrix of rounded numbers, which tilts all walls by
@@ -164,14 +210,14 @@ void keep_axes_of_ifc(const aiScene& scene) {
 
 }  // namespace
 
-MeshImport::MeshImport(const std::string& path)
+MeshImport::MeshImport(const std::string& path, const std::optional<WorldPoint>& origin)
     : name_(path == "-" ? "standard input" : path), importer_(std::make_unique<Assimp::Importer>()) {
   const std::string from = path == "-" ? "/dev/stdin" : path;
   require_readable(from, name_);
   if (is_read_once(from)) {
-    read_stream(*importer_, from, name_);
+    subtracted_ = read_stream(*importer_, from, name_, origin);
   } else {
-    read_file(*importer_, from);
+    subtracted_ = read_file(*importer_, from, origin);
   }
   scene_ = importer_->GetScene();
   if (scene_->mRootNode == nullptr) throw InvalidArgument(fmt::format("{}: the file has no scene in it", name_));

@@ -3,7 +3,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
+
+#include "mesh.hpp"
 
 struct aiScene;
 namespace Assimp {
@@ -19,11 +22,16 @@ class MeshImport {
   /// files that are read only once, such as a pipe, have the format that their first bytes show. IFC files keep their
   /// axes: z points up. Throws InvalidArgument, naming the file, if it is missing, empty, broken or of an unknown
   /// format.
-  explicit MeshImport(const std::string& path);
+  ///
+  /// OBJ files are read relative to `origin`, in doubles, or to one that is chosen if it is not given
+  /// (mesh_origin.hpp).
+  MeshImport(const std::string& path, const std::optional<WorldPoint>& origin);
   MeshImport(const MeshImport&) = delete;
   MeshImport& operator=(const MeshImport&) = delete;
   ~MeshImport();
 
+  /// What was subtracted from the coordinates of an OBJ file; of another format nothing was.
+  [[nodiscard]] const WorldPoint& subtracted() const noexcept { return subtracted_; }
   /// The file as messages call it.
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
   /// It has a root node, and belongs to this object.
@@ -31,6 +39,7 @@ class MeshImport {
 
  private:
   std::string name_;
+  WorldPoint subtracted_{};
   std::unique_ptr<Assimp::Importer> importer_;
   const aiScene* scene_ = nullptr;
 };

@@ -2,6 +2,7 @@
 #include "scene_options.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -23,6 +24,15 @@ void SceneOptions::add(CLI::App& subcommand, const std::string& patches) {
   subcommand.add_flag("--by-material", by_material, "Objects are materials, not nodes of the file")->excludes(made);
   add_number(subcommand, "--scale", choice.scale, 1e-9, 1e9, "Multiply coordinates: 0.001 for a file in millimetres")
       ->type_name("FACTOR");
+  subcommand
+      .add_option(
+          "--origin", origin,
+          "Subtract this point of the file from its coordinates, before --scale; if not given, one is chosen for "
+          "OBJ files in map coordinates")
+      ->type_name("X,Y,Z")
+      ->delimiter(',')
+      ->expected(3)
+      ->excludes(made);
   add_number(subcommand, "--patches", choice.patch_size, 1e-30, 1e30, patches)->type_name("SIZE");
   subcommand.add_flag("--flip", choice.flip, "Patches see on the other side: normals of the file point away from it");
   subcommand
@@ -53,7 +63,14 @@ std::string SceneOptions::source() const {
 }
 
 MeshScene SceneOptions::load() const {
-  return rooms != 0 ? make_rooms(rooms, seed) : load_mesh_files(paths, {.by_material = by_material});
+  if (rooms != 0) return make_rooms(rooms, seed);
+  MeshReading reading{.by_material = by_material, .origin = {}};
+  if (!origin.empty()) reading.origin = WorldPoint{origin[0], origin[1], origin[2]};
+  for (const double x : origin) {
+    if (!std::isfinite(x))
+      throw InvalidArgument(fmt::format("--origin {}: give finite numbers", fmt::join(origin, ",")));
+  }
+  return load_mesh_files(paths, reading);
 }
 
 std::string SceneOptions::hint_about_normals(const SightCounts& counts) const {

@@ -19,7 +19,8 @@ struct SceneOptions {
   std::vector<std::string> paths;
   bool by_material = false;
   std::size_t rooms = 0;
-  std::uint64_t seed = 1;  ///< of rooms, and of rays
+  std::uint64_t seed = 1;      ///< of rooms, and of rays
+  std::vector<double> origin;  ///< three numbers, or none: it is chosen
   SeesChoice choice;
   bool may_be_two_sided = false;  ///< the subcommand has --two-sided
 

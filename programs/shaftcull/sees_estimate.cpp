@@ -178,7 +178,7 @@ std::string coarseness(const SeesScene& scene) {
   if (!is_coarse || step < gain * step_near_origin) return {};
   return fmt::format(
       "\nCoordinates reach {}, where floats are {:.2g} apart; patches are {:.4g} long, and the thinnest object {:.2g}: "
-      "walls may be flat or gone. Move the scene to the origin, where floats are {:.1g} apart",
+      "walls may be flat or gone. --origin moves the scene, and near 0 floats are {:.1g} apart",
       largest, step, scene.patch_size, thinnest, step_near_origin);
 }
 
@@ -190,8 +190,12 @@ std::string duration(double seconds) {
 }  // namespace
 
 std::string announcement(const std::string& source, const SeesScene& scene, const SeesBlocks& patches) {
-  return fmt::format("{}: {} patches, {} pairs{}", printable(source), grouped(patches.size()), grouped(patches.pairs()),
-                     coarseness(scene));
+  const WorldPoint& origin = scene.mesh.origin;
+  const std::string relative =
+      origin == WorldPoint{} ? ""
+                             : fmt::format("\nCoordinates are relative to {}, {}, {}", origin[0], origin[1], origin[2]);
+  return fmt::format("{}: {} patches, {} pairs{}{}", printable(source), grouped(patches.size()),
+                     grouped(patches.pairs()), relative, coarseness(scene));
 }
 
 std::string estimate(const SeesScene& scene, const SeesBlocks& patches, const SeesWork& work, const std::string& out,

@@ -11,6 +11,7 @@ namespace shaftcull::cli {
 void write_ply(const SeesScene& scene, const SeenShares& shares, OutputFile& file) {
   const std::span<const double> seen = shares.seen();
   const double most = *std::max_element(seen.begin(), seen.end());
+  const WorldPoint& origin = scene.mesh.origin;
   TextLines lines(file);
   lines.add("ply\nformat ascii 1.0\n");
   for (std::size_t i = 0; i < scene.mesh.names.size(); ++i) {
@@ -26,7 +27,8 @@ void write_ply(const SeesScene& scene, const SeenShares& shares, OutputFile& fil
   for (std::size_t i = 0; i < scene.patches.size(); ++i) {
     const auto [red, green, blue] = colour_at(ramp_of_seen, most > 0 ? seen[i] / most : 0);
     for (const Point3& corner : scene.patches[i].corner) {
-      lines.add("{} {} {} {} {} {}\n", corner[0], corner[1], corner[2], red, green, blue);
+      lines.add("{} {} {} {} {} {}\n", corner[0] + origin[0], corner[1] + origin[1], corner[2] + origin[2], red, green,
+                blue);
     }
   }
   for (std::size_t i = 0; i < scene.patches.size(); ++i) {

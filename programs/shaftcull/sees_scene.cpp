@@ -177,6 +177,7 @@ void scale(Box& box, double factor) {
 
 /// Throws InvalidArgument if coordinates are no longer finite.
 void scale(MeshScene& mesh, double factor) {
+  for (double& x : mesh.origin) x *= factor;
   for (MeshTriangle& triangle : mesh.triangles) {
     scale(triangle.box, factor);
     for (Vec3& vertex : triangle.vertex) {

@@ -3,10 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/program.hpp"
@@ -226,11 +230,108 @@ TEST_F(CliSeesMesh, CoordinatesThatFloatsCannotHoldAreToldInNumbers) {
   const auto wall = [](const std::string& x, const std::string& thicker_x) {
     return "v " + x + " 0 0\nv " + thicker_x + " 0 0\nv " + thicker_x + " 3 0\nv " + x + " 3 0\nf 1 2 3 4\n";
   };
-  const auto said = [](const std::string& file) { return run_program({"sees", file, "--patches", "0.25"}).error; };
-  EXPECT_THAT(said(folder_.write("map.obj", wall("4512345", "4512345.5"))),
+  const auto said = [](const std::string& file, const std::vector<std::string>& more = {}) {
+    return run_program(with({"sees", file, "--patches", "0.25"}, more)).error;
+  };
+  const std::string map = folder_.write("map.obj", wall("4512345", "4512345.5"));
+  EXPECT_THAT(said(map, {"--origin", "0,0,0"}),
               AllOf(HasSubstr("Coordinates reach 4512345.5, where floats are 0.5 apart"), HasSubstr("patches are 0.25"),
-                    HasSubstr("the thinnest object 0.5"), HasSubstr("where floats are 1e-07 apart")));
+                    HasSubstr("the thinnest object 0.5"), HasSubstr("--origin moves the scene"),
+                    HasSubstr("floats are 1e-07 apart"), testing::Not(HasSubstr("relative"))));
+  EXPECT_THAT(said(map), AllOf(HasSubstr("Coordinates are relative to 4512345, 2, 0"),
+                               testing::Not(HasSubstr("Coordinates reach"))));
+  EXPECT_THAT(said(folder_.write("near.obj", wall("4", "4.5"))), testing::Not(HasSubstr("relative")));
   EXPECT_THAT(said(folder_.write("near.obj", wall("4", "4.5"))), testing::Not(HasSubstr("Coordinates reach")));
+}
+
+/// A room with a wall of 0.2 m in it, moved: coordinates have as many digits as they need.
+std::string room_at(double x, double y) {
+  std::ostringstream obj;
+  obj.precision(17);
+  const auto box = [&](const char* name, std::array<double, 3> lo, std::array<double, 3> hi, bool inwards, int first) {
+    obj << "o " << name << '\n';
+    for (int c = 0; c != 8; ++c) {
+      obj << "v " << (c % 2 == 0 ? lo[0] : hi[0]) + x << ' ' << (c / 2 % 2 == 0 ? lo[1] : hi[1]) + y << ' '
+          << (c / 4 == 0 ? lo[2] : hi[2]) << '\n';
+    }
+    for (const auto& f :
+         {std::array{1, 3, 4, 2}, {5, 6, 8, 7}, {1, 2, 6, 5}, {3, 7, 8, 4}, {1, 5, 7, 3}, {2, 4, 8, 6}}) {
+      obj << 'f';
+      for (int i = 0; i != 4; ++i) {
+        const auto at = static_cast<std::size_t>(inwards ? 3 - i : i);
+        obj << ' ' << f[at] + first;
+      }
+      obj << '\n';
+    }
+  };
+  box("room", {0, 0, 0}, {8, 6, 3}, true, 0);
+  box("wall", {3.875, 1.5, 0}, {4.125, 6, 3}, false, 8);
+  return obj.str();
+}
+
+/// The coordinates of vertices in a PLY file, and the answers behind them.
+struct PlyFile {
+  std::vector<std::array<double, 3>> vertices;
+  std::string answers;
+};
+PlyFile ply_in(const std::string& path) {
+  std::ifstream file(path);
+  PlyFile ply;
+  bool is_header = true;
+  for (std::string line; std::getline(file, line);) {
+    if (is_header) {
+      is_header = line != "end_header";
+      continue;
+    }
+    std::istringstream words(line);
+    std::array<double, 3> at{};
+    int colours = 0;
+    if (line.starts_with("3 ") && !ply.vertices.empty() && ply.answers.empty() && ply.vertices.size() % 3 == 0 &&
+        std::count(line.begin(), line.end(), ' ') == 6) {
+      ply.answers += line + '\n';
+    } else if (!ply.answers.empty()) {
+      ply.answers += line + '\n';
+    } else if (words >> at[0] >> at[1] >> at[2] >> colours) {
+      ply.vertices.push_back(at);
+    }
+  }
+  return ply;
+}
+
+TEST_F(CliSeesMesh, InMapCoordinatesTheAnswersAreThoseOfTheSameSceneAtZero) {
+  const auto seen = [&](const std::string& name, const std::string& obj, const std::vector<std::string>& more) {
+    const std::string ply = folder_.path(name + ".ply");
+    const std::vector<std::string> arguments{
+        "sees", folder_.write(name + ".obj", obj), "--patches", "1", "--ply", ply, "--format", "json"};
+    return std::pair(nlohmann::json::parse(output_of(with(arguments, more)))["pairs"], ply_in(ply));
+  };
+  // 4 is the middle of the room, so that the origin that is chosen is that of the first.
+  const auto [at_zero, ply_at_zero] = seen("zero", room_at(0, 0), {"--origin", "4,3,2"});
+  const auto [on_map, ply_on_map] = seen("map", room_at(4512345, 5400123), {});
+  EXPECT_EQ(on_map, at_zero);
+  EXPECT_GT(at_zero["occluded"], 0);
+  EXPECT_EQ(ply_on_map.answers, ply_at_zero.answers);
+  ASSERT_EQ(ply_on_map.vertices.size(), ply_at_zero.vertices.size());
+  for (std::size_t i = 0; i != ply_on_map.vertices.size(); ++i) {
+    EXPECT_EQ(ply_on_map.vertices[i][0] - 4512345, ply_at_zero.vertices[i][0]) << i;
+    EXPECT_EQ(ply_on_map.vertices[i][1] - 5400123, ply_at_zero.vertices[i][1]) << i;
+    EXPECT_EQ(ply_on_map.vertices[i][2], ply_at_zero.vertices[i][2]) << i;
+  }
+  const auto [rounded, ply_rounded] = seen("rounded", room_at(4512345, 5400123), {"--origin", "0,0,0"});
+  EXPECT_NE(rounded, at_zero);
+}
+
+TEST_F(CliSeesMesh, AnOriginMayBeGivenAndIsThatOfAllFiles) {
+  const std::string first = folder_.write("first.obj", "v 1000 0 0\nv 1001 0 0\nv 1000 1 0\nf 1 2 3\n");
+  const std::string second = folder_.write("second.obj", "v 0 0 5\nv 0 1 5\nv 1 0 5\nf 1 2 3\n");
+  const std::string ply = folder_.path("both.ply");
+  EXPECT_THAT(run_program({"sees", first, second, "--patches", "9"}).error, HasSubstr("relative to 1001, 1, 0"));
+  EXPECT_THAT(run_program({"sees", second, "--patches", "9", "--origin", "1,2,3.5", "--ply", ply}).error,
+              HasSubstr("relative to 1, 2, 3.5"));
+  EXPECT_EQ(ply_in(ply).vertices.front(), (std::array<double, 3>{0, 0, 5}));
+  EXPECT_THAT(refusal_of({"sees", first, "--origin", "1,2"}), HasSubstr("--origin"));
+  EXPECT_THAT(refusal_of({"sees", first, "--origin", "1,2,nan"}), HasSubstr("finite"));
+  EXPECT_THAT(refusal_of({"sees", "--rooms", "1", "--origin", "1,2,3"}), HasSubstr("--origin"));
 }
 
 /// What the program calls the objects of a scene: those that it names where one is missing.
