@@ -139,13 +139,13 @@ shaftcull_status shaftcull_dynamic_tree_read(const shaftcull_bounds* tree, const
                                              uint64_t count, void* bounds) {
   return use_dynamic_tree(tree, [&]<class Bound>(const DynamicTree<Bound>& dynamic) {
     const std::span<const shaftcull_bound_id> read = as_span(ids, count, "ids");
-    if (bounds == nullptr && !read.empty()) refuse("bounds is NULL; it must point to what the call writes");
+    if (read.empty()) return;
+    std::byte* const out = &given(static_cast<std::byte*>(bounds), "bounds");
     for (std::size_t i = 0; i != read.size(); ++i) {
       if (dynamic.has(as_id(read[i]))) continue;
       refuse("ids[" + std::to_string(i) + "], index " + std::to_string(read[i].index) + " of generation " +
              std::to_string(read[i].generation) + ", has no bound");
     }
-    auto* const out = static_cast<std::byte*>(bounds);
     for (std::size_t i = 0; i != read.size(); ++i) {
       const Bound bound = dynamic[as_id(read[i])];
       std::memcpy(out + i * sizeof bound, &bound, sizeof bound);
