@@ -286,10 +286,8 @@ PlyFile ply_in(const std::string& path) {
     std::istringstream words(line);
     std::array<double, 3> at{};
     int colours = 0;
-    if (line.starts_with("3 ") && !ply.vertices.empty() && ply.answers.empty() && ply.vertices.size() % 3 == 0 &&
-        std::count(line.begin(), line.end(), ' ') == 6) {
-      ply.answers += line + '\n';
-    } else if (!ply.answers.empty()) {
+    const bool is_face = line.starts_with("3 ") && std::count(line.begin(), line.end(), ' ') == 6;
+    if (!ply.answers.empty() || (is_face && !ply.vertices.empty() && ply.vertices.size() % 3 == 0)) {
       ply.answers += line + '\n';
     } else if (words >> at[0] >> at[1] >> at[2] >> colours) {
       ply.vertices.push_back(at);

@@ -160,7 +160,7 @@ TYPED_TEST(DynamicTrees, ASnapshotThatIsMovedFromHoldsNothing) {
   TreeSnapshot<TypeParam> other = world.tree.snapshot();
   one = std::move(other);
   EXPECT_EQ(one.count(), world.model.count());
-  EXPECT_EQ(other.count(), 0U);
+  EXPECT_EQ(other.count(), 0U);  // NOLINT(bugprone-use-after-move,clang-analyzer-cplusplus.Move)
   TreeSnapshot<TypeParam>& itself = one;
   one = std::move(itself);
   EXPECT_EQ(one.count(), world.model.count());

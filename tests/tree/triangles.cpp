@@ -249,7 +249,7 @@ TEST(TriangleTree, IsCopiedAndMovedAsAValue) {
 /// Whether a tree answers as a view of the triangles, with both tests.
 void expect_answers_of(const TriangleTree& tree, const std::vector<Triangle>& triangles, Random& random) {
   const TriangleColumns memory(triangles);
-  Box around = empty_box;
+  Box around = TriangleTree().box();  // empty
   for (const Triangle& triangle : triangles) around = joined(around, box_around(triangle.vertex));
   EXPECT_EQ(tree.box(), around);
   for (const CompiledShaft& shaft : shafts_for(random)) {
