@@ -50,6 +50,8 @@ FacetScene make_facet_scene(const SceneOptions& options, bool reports_objects) {
 }
 
 void add_patches(NpzFile& file, const FacetScene& scene) {
+  const WorldPoint& origin = scene.scene.mesh.origin;
+  if (origin != WorldPoint{}) file.add({"origin", "<f8"}).append(std::span<const double>(origin));
   file.add({"patch_corners", "<f4", {3}}).append(std::span<const Vec3>(scene.patches.corners));
   const std::vector<std::int64_t> first(scene.patches.first.begin(), scene.patches.first.end());
   file.add({"first_corner", "<i8"}).append(std::span<const std::int64_t>(first));

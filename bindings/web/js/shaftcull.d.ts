@@ -291,7 +291,7 @@ export interface QueryOptions {
    * contact all that touch it, with open contact those that reach into it, so that a wall beside it still stops it.
    */
   skipOverlapping?: boolean;
-  /** 'exact' if it is not said, for hulls 'vertices', which is all that they answer. Not for boxes and spheres. */
+  /** 'exact' by default. Not for boxes and spheres. */
   triangleTest?: TriangleTest;
 }
 
