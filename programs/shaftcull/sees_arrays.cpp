@@ -44,7 +44,8 @@ std::vector<SceneArray> scene_arrays(const SeesScene& scene, std::span<const std
   std::vector<SceneArray> arrays;
   const std::uint32_t rays = content.rays;
   if (rays != 0) arrays.push_back(made_array({"rays", "<u4"}, 1, [rays](std::size_t) { return rays; }));
-  if (scene.mesh.origin != WorldPoint{}) arrays.push_back(array_of({"origin", "<f8"}, std::span(scene.mesh.origin)));
+  if (scene.mesh.origin != WorldPoint{})
+    arrays.push_back(array_of({"origin", "<f8"}, std::span<const double>(scene.mesh.origin)));
   arrays.push_back(array_of({"order", "<u4"}, order));
   arrays.push_back(array_of({"patch_boxes", "<f4", {2, 3}}, std::span<const Box>(scene.boxes)));
   arrays.push_back(array_of({"patch_planes", "<f4", {4}}, std::span<const Plane>(scene.planes)));

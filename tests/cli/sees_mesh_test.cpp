@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -314,6 +315,13 @@ TEST_F(CliSeesMesh, InMapCoordinatesTheAnswersAreThoseOfTheSameSceneAtZero) {
     EXPECT_EQ(ply_on_map.vertices[i][0] - 4512345, ply_at_zero.vertices[i][0]) << i;
     EXPECT_EQ(ply_on_map.vertices[i][1] - 5400123, ply_at_zero.vertices[i][1]) << i;
     EXPECT_EQ(ply_on_map.vertices[i][2], ply_at_zero.vertices[i][2]) << i;
+  }
+  for (const char* subcommand : {"sees", "factors"}) {
+    const std::string npz = folder_.path(std::string(subcommand) + ".npz");
+    static_cast<void>(output_of({subcommand, folder_.path("map.obj"), "--patches", "4", "--out", npz}));
+    std::ifstream file(npz, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    EXPECT_NE(bytes.find("origin.npy"), std::string::npos) << subcommand;
   }
   const auto [rounded, ply_rounded] = seen("rounded", room_at(4512345, 5400123), {"--origin", "0,0,0"});
   EXPECT_NE(rounded, at_zero);
