@@ -168,7 +168,7 @@ WorldPoint read_file(Assimp::Importer& importer, const std::string& path, const 
     std::string bytes = bytes_of(path, path);
     subtracted = origin_for(bytes, origin);
     if (subtracted != WorldPoint{}) {
-      importer.SetIOHandler(new OneFileReplaced(path, obj_relative_to(bytes, subtracted)));  // which it owns
+      importer.SetIOHandler(new OneFileReplaced(path, obj_relative_to(bytes, subtracted, path)));  // which it owns
     }
   }
   if (importer.ReadFile(path, steps) == nullptr) throw InvalidArgument(refusal_of(path, importer));
@@ -188,7 +188,7 @@ WorldPoint read_stream(Assimp::Importer& importer, const std::string& path, cons
   if (ending == "ply" && bytes.find("end_header") == std::string::npos) refuse_endless_header(name);
   WorldPoint subtracted{};
   if (ending == "obj") subtracted = origin_for(bytes, origin);
-  if (subtracted != WorldPoint{}) bytes = obj_relative_to(bytes, subtracted);
+  if (subtracted != WorldPoint{}) bytes = obj_relative_to(bytes, subtracted, name);
   if (importer.ReadFileFromMemory(bytes.data(), bytes.size(), steps, ending.c_str()) == nullptr) {
     throw InvalidArgument(fmt::format("{}: begins as a file of format {}, and is broken; assimp says: {}", name, ending,
                                       importer.GetErrorString()));

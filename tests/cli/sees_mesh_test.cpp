@@ -338,6 +338,14 @@ TEST_F(CliSeesMesh, AnOriginMayBeGivenAndIsThatOfAllFiles) {
   EXPECT_THAT(refusal_of({"sees", first, "--origin", "1,2"}), HasSubstr("--origin"));
   EXPECT_THAT(refusal_of({"sees", first, "--origin", "1,2,nan"}), HasSubstr("finite"));
   EXPECT_THAT(refusal_of({"sees", "--rooms", "1", "--origin", "1,2,3"}), HasSubstr("--origin"));
+  // Vertices that only assimp reads are left to it, unless they have to be moved.
+  for (const char* vertex : {"v 1000 0 \\\n0", "v 2000 0 0 2", "v 1000 nan 0"}) {
+    const std::string odd = folder_.write("odd.obj", std::string("v 1000 1 0\nv 1001 0 0\n") + vertex + "\nf 1 2 3\n");
+    EXPECT_THAT(run_program({"sees", odd, "--patches", "9"}).error, testing::Not(HasSubstr("relative"))) << vertex;
+    EXPECT_THAT(refusal_of({"sees", odd, "--origin", "1,2,3"}), HasSubstr("odd.obj:3: \"v ")) << vertex;
+  }
+  const std::string plus = folder_.write("plus.obj", "v +1000 0 0 0.5 0.5 0.5\nv 1001 0 0 1\nv +1000 1 0\nf 1 2 3\n");
+  EXPECT_THAT(run_program({"sees", plus, "--patches", "9"}).error, HasSubstr("relative to 1001, 1, 0"));
 }
 
 /// What the program calls the objects of a scene: those that it names where one is missing.
