@@ -85,8 +85,9 @@ tree.findOccluder(shafts, {only: [0]});
 shaftcull.swept(boxes, [1, 0, 0], {planesB: []});
 // @ts-expect-error: streams have no order
 shaftcull.boxStream([]).order;
-// @ts-expect-error: trees of triangles are not updated
-shaftcull.triangleTree([]).update([]);
+shaftcull.triangleTree([]).update([], {indices: []});
+// @ts-expect-error: dynamic trees have layers by index alone
+bodies.setLayers([1]);
 // @ts-expect-error: the shaft is an option
 shafts.joiningPlanes(0);
 // @ts-expect-error: nothing is kept of a pair that is counted
