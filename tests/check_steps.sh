@@ -54,9 +54,9 @@ says() { grep -qE -- "$1" "$work/output" || fail "does not say \"$1\""; }
 says_not() { ! grep -qE -- "$1" "$work/output" || fail "says \"$1\""; }
 
 check 1 all "passes one" "skipped two" "fails three" "bare a && b"
-says "^passed +[0-9]+ s  ./cmake/run passes one$"
-says "^skipped +[0-9]+ s  ./cmake/run skipped two$"
-says "^FAILED +[0-9]+ s  ./cmake/run fails three$"
+says "^passed +[0-9]+ s, +[0-9]+ s of a processor  ./cmake/run passes one$"
+says "^skipped +[0-9]+ s, +[0-9]+ s of a processor  ./cmake/run skipped two$"
+says "^FAILED +[0-9]+ s, +[0-9]+ s of a processor  ./cmake/run fails three$"
 says "^output of bare a && b$"
 says "^announced by passes one$"
 
@@ -64,7 +64,7 @@ check 1 all "passes one" "skipped two" "fails three" "bare a && b"
 says_not "^begins: ./cmake/run (passes|bare)"  # they passed on these sources
 says "^begins: ./cmake/run skipped two$"
 says "^begins: ./cmake/run fails three$"
-says "^passed +[0-9]+ s  ./cmake/run passes one$"
+says "^passed +[0-9]+ s, +[0-9]+ s of a processor  ./cmake/run passes one$"
 
 echo "a change" >"$work/project/a file"
 check 0 all "passes one"
@@ -76,8 +76,8 @@ check 0 all "passes one"
 says_not "^begins"
 
 check 0 ci "passes 1" "passes 2" "skipped 3" "passes 4" "passes 5"
-says "^skipped +[0-9]+ s  ./cmake/run skipped 3$"
-says "^passed +[0-9]+ s  ./cmake/run passes 5$"
+says "^skipped +[0-9]+ s, +[0-9]+ s of a processor  ./cmake/run skipped 3$"
+says "^passed +[0-9]+ s, +[0-9]+ s of a processor  ./cmake/run passes 5$"
 check 1 ci "fails 1" "fails 2" "passes 3" "passes 4" "passes 5"
 says_not "^begins: ./cmake/run passes 5$"
 

@@ -1,18 +1,19 @@
 # SPDX-License-Identifier: MIT
 # The steps of ./cmake/run test --ci and --all, each of them a command of ./cmake/run. Sourced by cmake/run.
 
-# Those of --ci are begun in this order, two at a time; the page comes last, as its tests ask the program that the first of them
-# builds.
+# Those of --ci are begun in this order, three at a time, since each has parts that keep no processor busy. The page comes last, as
+# its tests ask the program that the first of them builds.
 ci_steps=(
   "test --layer ci"
   "format --check"
   "tidy --changed"
   "test --preset asan --layer ci"
-  "test --preset tsan --layer ci"
-  "package --try"
   "bare"
+  "package --try"
+  "test --preset tsan --layer ci"
   "page --check"
 )
+steps_at_once=3
 all_steps=(
   "format --check"
   "docs"
@@ -38,13 +39,14 @@ all_steps=(
 # run_step STEP: ./cmake/run with the words of the step. Its output goes to a file, and from there to the standard output when the
 # step has ended, so that outputs of two steps do not mix; what it installs is announced at once. Adds a line to the table of steps.
 run_step() {
-  local start=$SECONDS status=0 result=passed words log first=()
+  local start=$SECONDS status=0 result=passed words log first=() spent TIMEFORMAT='%0U %0S'
   read -ra words <<<"$1"
   if [[ ${words[0]} == bare && ${#words[@]} -gt 1 ]]; then words=(bare "${1#bare }"); fi
   if [[ ! $may_install ]]; then first=(--no-install); fi
   log=$(mktemp)
   echo "begins: ./cmake/run $1"
-  SHAFTCULL_STEP=yes "$root/cmake/run" "${first[@]}" "${words[@]}" 3>&1 </dev/null >"$log" 2>&1 || status=$?
+  { time SHAFTCULL_STEP=yes "$root/cmake/run" "${first[@]}" "${words[@]}" 3>&1 </dev/null >"$log" 2>&1; } 2>"$log.time" || status=$?
+  read -ra spent <"$log.time"
   case $status in
     0) ;;
     77) result=skipped ;;
@@ -53,11 +55,11 @@ run_step() {
   if [[ $record_changes ]] && [[ $(state_of_sources) != "$sources" ]]; then result="$result, while sources changed"; fi
   {
     flock 9
-    printf '%s\t%s\t%d\t%s\n' "$sources" "$result" $((SECONDS - start)) "$1" >>"$record"
+    printf '%s\t%s\t%d\t%s\t%d\n' "$sources" "$result" $((SECONDS - start)) "$1" $((spent[0] + spent[1])) >>"$record"
     printf '\n==== ./cmake/run %s: %s\n' "$1" "$result"
     cat "$log"
   } 9>>"$record"
-  rm "$log"
+  rm "$log" "$log.time"
   [[ $status -eq 0 || $status -eq 77 ]]
 }
 
@@ -65,9 +67,15 @@ run_step() {
 print_steps() {
   printf '\n'
   awk -F '\t' -v sources="$sources" '
-    $1 == sources { if (!($4 in result)) order[++n] = $4; result[$4] = $2; seconds[$4] = $3 }
-    END { for (i = 1; i <= n; ++i) printf "%-7s %6d s  ./cmake/run %s\n", result[order[i]], seconds[order[i]], order[i] }' "$record"
-  printf '%-7s %6d s  in all\n' "" "$SECONDS"
+    $1 == sources { if (!($4 in result)) order[++n] = $4; result[$4] = $2; seconds[$4] = $3; spent[$4] = $5 }
+    END {
+      for (i = 1; i <= n; ++i) {
+        step = order[i]
+        printf "%-7s %6d s, %5d s of a processor  ./cmake/run %s\n", result[step], seconds[step], spent[step], step
+        all += spent[step]
+      }
+      printf "%-7s %6d s, %5d s of a processor  in all\n", "", now, all
+    }' now="$SECONDS" "$record"
 }
 
 # check_ci: the steps of .ci/run. When one has failed, no other is begun.
@@ -79,7 +87,10 @@ check_ci() {
   trap 'print_steps; rm -f "$record"' EXIT
   trap 'exit 130' INT
   for step in "${ci_steps[@]}"; do
-    while [[ $(jobs -rp | wc -l) -ge 2 ]]; do wait -n || failed=yes; done
+    while [[ $(jobs -rp | wc -l) -ge $steps_at_once ]]; do wait -n || failed=yes; done
+    if [[ $step == page* ]]; then
+      until [[ $failed || -x $root/build/release/bin/shaftcull || $(jobs -rp | wc -l) -eq 0 ]]; do wait -n || failed=yes; done
+    fi
     [[ ! $failed ]] || break
     run_step "$step" &
   done

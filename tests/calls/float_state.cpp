@@ -23,7 +23,8 @@ TEST(FloatState, IsAfterEveryCallWhatItWasBeforeAndAnswersAreTheSame) {
     for (const PublicCall& call : every.calls()) {
       AnswerWords right;
       call.call(right);
-      for (const FloatRegisters flags : {FloatRegisters{0}, flag_bits}) {
+      for (const FloatRegisters flags : {flag_bits, FloatRegisters{0}}) {
+        if (has_shadow_memory && flags == 0) continue;
         for (const Mode& mode : modes) {
           AnswerWords words;
           // What happened before stays, and nothing is added.
@@ -70,7 +71,7 @@ TEST(FloatState, IsTheStandardOneInAllTasks) {
 #endif
 
 TEST(FloatState, RoundingModeAndFlagsOfTheStandardLibraryStay) {
-  const EveryCall every(EveryCall::shafts(9), 700);
+  const EveryCall every(EveryCall::shafts(9), has_shadow_memory ? 150 : 700);
   for (const PublicCall& call : every.calls()) {
     AnswerWords right;
     call.call(right);

@@ -15,6 +15,7 @@
 #include "many/workload.hpp"
 #include "misaligned.hpp"
 #include "result_words.hpp"
+#include "sanitizers.hpp"
 #include "shaftcull/first_contact.hpp"
 #include "shaftcull/many.hpp"
 #include "shaftcull/tree.hpp"
@@ -227,7 +228,7 @@ TEST(Outputs, FirstContactManyFindsTheFirstWhereTwoTasksHandOverAtOnce) {
   for (const std::uint32_t first : {10000U, 5U}) {
     boxes[first] = {{30, 0, 0}, {31, 1, 1}};
     const BoxStream stream{std::span<const Box>(boxes)};
-    for (int call = 0; call != 150; ++call) {
+    for (int call = 0; call != (has_shadow_memory ? 25 : 150); ++call) {
       std::vector<FirstContact> contacts(shafts.size());
       with_threads(2, [&] { first_contact_many(shafts, stream, contacts); });
       for (const FirstContact& contact : contacts) ASSERT_EQ(contact.index, first) << "call " << call;
