@@ -233,6 +233,21 @@ SHAFTCULL_API shaftcull_status shaftcull_box_around(const float* points, uint64_
 SHAFTCULL_API shaftcull_status shaftcull_translated(const shaftcull_box* box, const float by[3], float inflated_by,
                                                     shaftcull_box* moved);
 
+/// The floats that shaftcull_relative() makes of doubles (origin.hpp).
+typedef uint32_t shaftcull_rounding;
+enum {
+  SHAFTCULL_BOXES_AROUND = 0,   /* of 6 doubles, lo and hi: the smallest boxes that contain the true ones */
+  SHAFTCULL_BOXES_WITHIN = 1,   /* of 6 doubles: the largest boxes within the true ones, for what hides or contains */
+  SHAFTCULL_SPHERES_AROUND = 2, /* of 4 doubles, centre and radius: spheres that contain the true ones */
+  SHAFTCULL_NEAREST = 3         /* of 3 doubles: the nearest floats, for points, vertices and corners */
+};
+
+/// `count` boxes, spheres or points of a world in doubles, as floats relative to an origin of 3 doubles. A box that
+/// nothing is within is the empty box. What no stream takes stays so: NaN, lo > hi, a radius below 0. Refuses an origin
+/// that is not finite, and a rounding that is none. `from` and `to` do not overlap. O(count); no allocation.
+SHAFTCULL_API shaftcull_status shaftcull_relative(const double origin[3], shaftcull_rounding rounding,
+                                                  const double* from, uint64_t count, float* to);
+
 /// The planes of a view-projection matrix, normals outwards: up to six of them into `planes`, and their number into
 /// `count`. The matrix has 4 rows of 4 floats, row after row, and maps column vectors; transpose a matrix of another
 /// convention. Refuses a matrix that is not finite or leaves nothing in view. O(1); no allocation.
@@ -782,15 +797,12 @@ SHAFTCULL_API shaftcull_status shaftcull_classify_one(const shaftcull_shafts* sh
                                                       shaftcull_bound_kind kind, const void* bound,
                                                       shaftcull_triangle_test test, shaftcull_answer* answer);
 
-/// Whether this one solid box hides one end of the shaft from the other, 1 or 0. For shafts between two boxes. No
-/// allocation.
-SHAFTCULL_API shaftcull_status shaftcull_occluded_by_box(const shaftcull_shafts* shafts, uint64_t shaft,
-                                                         const shaftcull_box* solid, uint32_t* occluded);
-
-/// Whether a convex polygon does, a wall at any angle for example: `count` corners of 3 floats, three or more, in
-/// order, either way round. O(count), some microseconds; allocates a copy of the corners.
-SHAFTCULL_API shaftcull_status shaftcull_occluded_by_polygon(const shaftcull_shafts* shafts, uint64_t shaft,
-                                                             const float* corners, uint64_t count, uint32_t* occluded);
+/// Whether one solid hides one end of the shaft from the other, 1 or 0. `corners` has 3 floats for each of `count`
+/// corners: 2 are lo and hi of a solid box; 3 or more are a convex polygon, a wall at any angle for example, in order,
+/// either way round. For shafts between two boxes or polygons. O(count): some microseconds for a polygon; no allocation
+/// for a box, and a copy of the corners of a polygon.
+SHAFTCULL_API shaftcull_status shaftcull_occluded_by(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                     const float* corners, uint64_t count, uint32_t* occluded);
 
 /* ---- Visibility: which pairs of patches see each other ---- */
 

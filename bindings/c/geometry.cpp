@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "arguments.hpp"
@@ -10,7 +11,13 @@
 
 using namespace shaftcull::binding;
 using shaftcull::Box;
+using shaftcull::Origin;
+using shaftcull::Sphere;
+using shaftcull::Vec3;
 using shaftcull::ViewPlanes;
+using shaftcull::WorldBox;
+using shaftcull::WorldSphere;
+using shaftcull::WorldVec3;
 
 extern "C" {
 
@@ -29,6 +36,40 @@ shaftcull_status shaftcull_translated(const shaftcull_box* box, const float by[3
     if (by != nullptr) result = shaftcull::translated(result, as_vector(by, "by"));
     if (inflated_by != 0) result = shaftcull::inflated(result, inflated_by);
     out = converted<shaftcull_box>(result);
+  });
+}
+
+shaftcull_status shaftcull_relative(const double origin[3], shaftcull_rounding rounding, const double* from,
+                                    uint64_t count, float* to) {
+  return guarded([&] {
+    (void)given(origin, "origin");
+    const Origin there({origin[0], origin[1], origin[2]});
+    // Records of doubles and of floats that have no gaps.
+    const auto converted = [&]<class From, class To>(const From* first, To* result, auto convert) {
+      const std::span<const From> in = as_span(first, count, "from");
+      convert(in, as_span(result, count, "to"));
+    };
+    const auto* const boxes = reinterpret_cast<const WorldBox*>(from);
+    switch (rounding) {
+      case SHAFTCULL_BOXES_AROUND:
+        converted(boxes, reinterpret_cast<Box*>(to), [&](auto in, auto out) { there.around(in, out); });
+        break;
+      case SHAFTCULL_BOXES_WITHIN:
+        converted(boxes, reinterpret_cast<Box*>(to), [&](auto in, auto out) { there.within(in, out); });
+        break;
+      case SHAFTCULL_SPHERES_AROUND:
+        converted(reinterpret_cast<const WorldSphere*>(from), reinterpret_cast<Sphere*>(to),
+                  [&](auto in, auto out) { there.around(in, out); });
+        break;
+      case SHAFTCULL_NEAREST:
+        converted(reinterpret_cast<const WorldVec3*>(from), reinterpret_cast<Vec3*>(to),
+                  [&](auto in, auto out) { there.nearest(in, out); });
+        break;
+      default:
+        refuse("rounding = " + std::to_string(rounding) +
+               " is none of SHAFTCULL_BOXES_AROUND, SHAFTCULL_BOXES_WITHIN, SHAFTCULL_SPHERES_AROUND and "
+               "SHAFTCULL_NEAREST");
+    }
   });
 }
 

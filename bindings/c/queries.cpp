@@ -326,21 +326,18 @@ shaftcull_status shaftcull_classify_one(const shaftcull_shafts* shafts, uint64_t
   });
 }
 
-shaftcull_status shaftcull_occluded_by_box(const shaftcull_shafts* shafts, uint64_t shaft, const shaftcull_box* solid,
-                                           uint32_t* occluded) {
+shaftcull_status shaftcull_occluded_by(const shaftcull_shafts* shafts, uint64_t shaft, const float* corners,
+                                       uint64_t count, uint32_t* occluded) {
   return guarded([&] {
     const CompiledShaft& asked = shaft_at(shafts, shaft);
     uint32_t& out = given(occluded, "occluded");
-    out = shaftcull::occluded(asked, as_box(solid, "solid")) ? 1 : 0;
-  });
-}
-
-shaftcull_status shaftcull_occluded_by_polygon(const shaftcull_shafts* shafts, uint64_t shaft, const float* corners,
-                                               uint64_t count, uint32_t* occluded) {
-  return guarded([&] {
-    const CompiledShaft& asked = shaft_at(shafts, shaft);
-    uint32_t& out = given(occluded, "occluded");
-    out = shaftcull::occluded(asked, as_vectors(corners, count, "corners")) ? 1 : 0;
+    if (count == 2) {
+      (void)given(corners, "corners");
+      const Box solid{as_vector(corners, "corners"), as_vector(corners + 3, "corners")};
+      out = shaftcull::occluded(asked, solid) ? 1 : 0;
+    } else {
+      out = shaftcull::occluded(asked, as_vectors(corners, count, "corners")) ? 1 : 0;
+    }
   });
 }
 

@@ -124,7 +124,7 @@ int main(void) {
   /* [[occluded]] */
   const shaftcull_box wall = {{-9, 5, -9}, {9, 6, 9}}; /* solid: it fills its box */
   uint32_t occluded = 0;
-  must(shaftcull_occluded_by_box(shaft, 0, &wall, &occluded));
+  must(shaftcull_occluded_by(shaft, 0, (const float*)&wall, 2, &occluded));
   printf("%s\n", occluded ? "the lamp does not light the table" : "it may");
   /* [[end]] */
 

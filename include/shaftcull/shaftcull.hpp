@@ -17,6 +17,7 @@
 #include "shaftcull/isa.hpp"
 #include "shaftcull/many.hpp"
 #include "shaftcull/occluded.hpp"
+#include "shaftcull/origin.hpp"
 #include "shaftcull/query.hpp"
 #include "shaftcull/rays.hpp"
 #include "shaftcull/results.hpp"

@@ -307,9 +307,9 @@ TEST_P(CAgreesWithCpp, OnOneBoxSphereOrPolygon) {
       EXPECT_EQ(static_cast<Answer>(answer), classify(shaft, sphere));
       if (s >= shafts.between) continue;
       std::uint32_t hidden = 99;
-      ok(shaftcull_occluded_by_box(c, s, &c_box, &hidden));
+      ok(shaftcull_occluded_by(c, s, reinterpret_cast<const float*>(&c_box), 2, &hidden));
       EXPECT_EQ(hidden != 0, occluded(shaft, box));
-      ok(shaftcull_occluded_by_polygon(c, s, corners.data(), 3, &hidden));
+      ok(shaftcull_occluded_by(c, s, corners.data(), 3, &hidden));
       EXPECT_EQ(hidden != 0, occluded(shaft, polygon));
     }
   }

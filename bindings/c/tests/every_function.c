@@ -87,6 +87,28 @@ static void values(void) {
   REFUSED(shaftcull_translated(NULL, down, 0, &box), "box is NULL");
   REFUSED(shaftcull_translated(&lamp, down, 0, NULL), "moved is NULL");
 
+  const double origin[3] = {4512345, 500000, 100};
+  const double world_box[6] = {4512345.25, 500001, 100, 4512346.1, 500002, 101};
+  const double world_sphere[4] = {4512346, 500000, 100, 0.1};
+  float relative[6] = {0, 0, 0, 0, 0, 0};
+  OK(shaftcull_relative(origin, SHAFTCULL_BOXES_AROUND, world_box, 1, relative));
+  CHECK(relative[0] == 0.25F && relative[1] == 1 && relative[2] == 0 && relative[4] == 2 && relative[5] == 1);
+  CHECK(relative[3] > 1.0999F && (double)relative[3] >= world_box[3] - origin[0]);
+  OK(shaftcull_relative(origin, SHAFTCULL_BOXES_WITHIN, world_box, 1, relative));
+  CHECK(relative[0] == 0.25F && relative[3] > 1.0999F && (double)relative[3] <= world_box[3] - origin[0]);
+  OK(shaftcull_relative(origin, SHAFTCULL_SPHERES_AROUND, world_sphere, 1, relative));
+  CHECK(relative[0] == 1 && relative[1] == 0 && (double)relative[3] >= 0.1 && relative[3] < 0.1000001F);
+  OK(shaftcull_relative(origin, SHAFTCULL_NEAREST, world_box, 2, relative));
+  CHECK(relative[0] == 0.25F && relative[3] == (float)(world_box[3] - origin[0]));
+  OK(shaftcull_relative(origin, SHAFTCULL_NEAREST, NULL, 0, NULL));
+  REFUSED(shaftcull_relative(NULL, SHAFTCULL_NEAREST, world_box, 2, relative), "origin is NULL");
+  REFUSED(shaftcull_relative(origin, 4, world_box, 1, relative), "rounding = 4");
+  REFUSED(shaftcull_relative(origin, SHAFTCULL_BOXES_AROUND, NULL, 1, relative), "from is NULL");
+  REFUSED(shaftcull_relative(origin, SHAFTCULL_BOXES_AROUND, world_box, 1, NULL), "to is NULL");
+  REFUSED(shaftcull_relative(origin, SHAFTCULL_BOXES_AROUND, world_box, UINT64_MAX, relative), "from");
+  const double nowhere[3] = {0, INFINITY, 0};
+  REFUSED(shaftcull_relative(nowhere, SHAFTCULL_NEAREST, world_box, 2, relative), "finite");
+
   shaftcull_plane planes[6];
   uint64_t count = 0;
   OK(shaftcull_view_planes(matrix, SHAFTCULL_DEPTH_ZERO_TO_ONE, planes, &count));
@@ -869,9 +891,9 @@ static void one_shaft(void) {
   CHECK(answer == SHAFTCULL_INSIDE);
   const shaftcull_box wall = {{-9, 4, -9}, {19, 5, 19}};
   const float sheet[12] = {-9, 4, -9, 19, 4, -9, 19, 4, 19, -9, 4, 19};
-  OK(shaftcull_occluded_by_box(shafts, 0, &wall, &yes));
+  OK(shaftcull_occluded_by(shafts, 0, (const float*)&wall, 2, &yes));
   CHECK(yes == 1);
-  OK(shaftcull_occluded_by_polygon(shafts, 0, sheet, 4, &yes));
+  OK(shaftcull_occluded_by(shafts, 0, sheet, 4, &yes));
   CHECK(yes == 1);
   REFUSED(shaftcull_classify_one(shafts, 0, SHAFTCULL_BOXES, NULL, 0, &answer), "bound is NULL");
   REFUSED(shaftcull_classify_one(shafts, 0, SHAFTCULL_BOXES, &wall, 1, &answer), "test = 1 is for triangles");
@@ -879,8 +901,8 @@ static void one_shaft(void) {
   REFUSED(shaftcull_classify_one(shafts, 0, SHAFTCULL_TRIANGLES, &faces[0], 2, &answer), "test = 2");
   REFUSED(shaftcull_classify_one(shafts, 0, 0, &wall, 0, &answer), "kind = 0");
   REFUSED(shaftcull_classify_one(shafts, 3, SHAFTCULL_BOXES, &wall, 0, &answer), "shaft = 3");
-  REFUSED(shaftcull_occluded_by_box(shafts, 1, &wall, &yes), "between two boxes");
-  REFUSED(shaftcull_occluded_by_box(shafts, 2, &wall, &yes), "between_polygons");
+  REFUSED(shaftcull_occluded_by(shafts, 1, (const float*)&wall, 2, &yes), "between two boxes");
+  REFUSED(shaftcull_occluded_by(shafts, 2, (const float*)&wall, 2, &yes), "between_polygons");
   {
     const float ends[] = {0, 0, 0, 0, 1, 0, 0, 1, 1, 9, 0, 0, 9, 1, 0, 9, 1, 1};
     const shaftcull_box across = {{4, -9, -9}, {5, 9, 9}};
@@ -891,15 +913,15 @@ static void one_shaft(void) {
     OK(shaftcull_hull_create(ends, 6, 3, NULL, 0, SHAFTCULL_HULL_EXACT, &between));
     OK(shaftcull_shafts_set_hull(one, 0, between));
     shaftcull_hull_free(between);
-    OK(shaftcull_occluded_by_box(one, 0, &across, &yes));
+    OK(shaftcull_occluded_by(one, 0, (const float*)&across, 2, &yes));
     CHECK(yes == 1);
-    OK(shaftcull_occluded_by_polygon(one, 0, leaning, 4, &yes));
+    OK(shaftcull_occluded_by(one, 0, leaning, 4, &yes));
     CHECK(yes == 1);
     shaftcull_shafts_free(one);
   }
-  REFUSED(shaftcull_occluded_by_box(shafts, 0, NULL, &yes), "solid is NULL");
-  REFUSED(shaftcull_occluded_by_polygon(shafts, 0, sheet, 2, &yes), "2");
-  REFUSED(shaftcull_occluded_by_polygon(shafts, 0, NULL, 4, &yes), "corners is NULL");
+  REFUSED(shaftcull_occluded_by(shafts, 0, NULL, 2, &yes), "corners is NULL");
+  REFUSED(shaftcull_occluded_by(shafts, 0, sheet, 1, &yes), "1");
+  REFUSED(shaftcull_occluded_by(shafts, 0, NULL, 4, &yes), "corners is NULL");
 
   /* Wrong sizes, indices and holders; NULL. */
   REFUSED(shaftcull_cull(shafts, 0, 1, all.stream, NULL, &kept, 2), "kept has 2 words");

@@ -112,7 +112,7 @@ TEST(CMemory, QueriesAboutOneShaftAllocateNothing) {
   ok(shaftcull_classify_one(shafts, 0, SHAFTCULL_BOXES, &lamp, 0, &yes));
   ok(shaftcull_classify_one(shafts, 0, SHAFTCULL_SPHERES, &ball, 0, &yes));
   ok(shaftcull_classify_one(shafts, 0, SHAFTCULL_TRIANGLES, &face, SHAFTCULL_TRIANGLES_EXACT, &yes));
-  ok(shaftcull_occluded_by_box(shafts, 0, &lamp, &yes));
+  ok(shaftcull_occluded_by(shafts, 0, reinterpret_cast<const float*>(&lamp), 2, &yes));
   EXPECT_EQ(allocations(), before);
 }
 

@@ -1264,6 +1264,47 @@ def inscribed_box(corners: _Floats) -> npt.NDArray[np.float32]:
 
     corners: float32 (k, 3), 4 to 32 points. ValueError for another number of them, or one that is not finite.
     """
+class Origin:
+    """A point of a world in float64 that coordinates are relative to. Near it floats are fine. What is outside of the
+    shaft between two boxes from boxes() is outside in the world, too. Solids that hide, and boxes that are to contain
+    others, are made with within=True. Nothing is refused that bounds and shafts refuse: NaN and lo > hi stay.
+    """
+    def __init__(self, at: npt.ArrayLike = (0, 0, 0)) -> None: ...
+    @staticmethod
+    def near(points: npt.ArrayLike) -> Origin:
+        """An origin near the middle of points (n, 3), such as the corners of a scene. Its coordinates are multiples
+        of a power of two. ValueError for no points, and for one that is not finite.
+        """
+    @property
+    def at(self) -> npt.NDArray[np.float64]:
+        """Where it is: float64 (3,)."""
+    def boxes(self, boxes: npt.ArrayLike, *, within: bool = False) -> npt.NDArray[np.float32]:
+        """The smallest boxes of float32 that contain these, or the largest within them: the empty box where there is
+        none. float32 of the same shape.
+
+        boxes: (n, 6) of lo and hi, or (6,) for one. TypeError or ValueError for others. Other threads of Python
+            go on.
+        """
+    def spheres(self, spheres: npt.ArrayLike) -> npt.NDArray[np.float32]:
+        """Spheres of float32 that contain these: centres are rounded to nearest, and radii grow. float32 of the same
+        shape.
+
+        spheres: (n, 4) of centre and radius, or (4,) for one. TypeError or ValueError for others. Other threads of
+            Python go on.
+        """
+    def points(self, points: npt.ArrayLike) -> npt.NDArray[np.float32]:
+        """The nearest float32 of each coordinate, for vertices of triangles, corners of patches and points of hulls.
+        float32 of the same shape.
+
+        points: (n, 3), or (3,) for one. TypeError or ValueError for others. Other threads of Python go on.
+        """
+    def to_world(self, points: npt.ArrayLike) -> npt.NDArray[np.float64]:
+        """Where points are in the world: float64 of the same shape.
+
+        points: float32 (n, 3), or (3,) for one. TypeError or ValueError for others.
+        """
+    def __eq__(self, other: object) -> bool: ...
+    def __hash__(self) -> int: ...
 class ViewFactors:
     """View factors of all pairs, as a sparse matrix in rows:
     scipy.sparse.csr_array((f.data, f.indices, f.indptr), f.shape). Row i has the factors from patch i.

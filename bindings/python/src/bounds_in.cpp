@@ -2,8 +2,7 @@
 #include "bounds_in.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <bit>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -11,8 +10,6 @@
 namespace shaftcull::python {
 
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /// Floats of one bound.
 template <class Bound>
@@ -123,27 +120,10 @@ std::optional<std::span<const Triangle>> rows_at<Triangle>(const Columns& column
   return std::span(reinterpret_cast<const Triangle*>(at(columns, 0)), count);
 }
 
-/// A box that contains the given one.
-void round_outwards(const std::array<double, 6>& box, std::array<float, 6>& to) {
-  for (std::size_t i = 0; i != 6; ++i) to[i] = i < 3 ? rounded_down(box[i]) : rounded_up(box[i]);
-}
-
-/// A sphere that contains the given one: the radius grows by as much as the centre moves, and by more than the sums of
-/// doubles can be wrong.
-void round_outwards(const std::array<double, 4>& sphere, std::array<float, 4>& to) {
-  double moved = 0;
-  for (std::size_t axis = 0; axis != 3; ++axis) {
-    to[axis] = static_cast<float>(sphere[axis]);
-    moved += std::fabs(sphere[axis] - static_cast<double>(to[axis]));
-  }
-  constexpr double more = 1 + 8 * std::numeric_limits<double>::epsilon();
-  // A radius below 0 stays so, and is refused.
-  to[3] = sphere[3] < 0 ? rounded_down(sphere[3]) : rounded_up(moved == 0 ? sphere[3] : (sphere[3] + moved) * more);
-}
-
 /// Columns of float32 of bounds that contain those of float64.
-template <std::size_t Numbers>
+template <class World>
 Columns rounded_outwards(const Columns& columns) {
+  constexpr std::size_t Numbers = sizeof(World) / sizeof(double);
   std::vector<Doubles> from;
   std::vector<py::array_t<float>> to;
   for (const py::array& column : columns) {
@@ -156,7 +136,7 @@ Columns rounded_outwards(const Columns& columns) {
     std::array<float, Numbers> rounded;
     for (py::ssize_t bound = 0; bound != columns[0].shape(0); ++bound) {
       for (std::size_t i = 0; i != Numbers; ++i) given[i] = from[i].data()[bound];
-      round_outwards(given, rounded);
+      rounded = std::bit_cast<std::array<float, Numbers>>(Origin().around(std::bit_cast<World>(given)));
       for (std::size_t i = 0; i != Numbers; ++i) to[i].mutable_data()[bound] = rounded[i];
     }
   }
@@ -173,7 +153,8 @@ BoundsIn<Bound> bounds_in(const py::object& given, const std::string& name, cons
   if constexpr (!std::is_same_v<Bound, Triangle>) {
     const auto is_double = [](const py::array& column) { return column.itemsize() == sizeof(double); };
     if (std::any_of(columns.begin(), columns.end(), is_double)) {
-      columns = rounded_outwards<numbers_of<Bound>>(columns);
+      using World = std::conditional_t<std::is_same_v<Bound, Box>, WorldBox, WorldSphere>;
+      columns = rounded_outwards<World>(columns);
     }
   }
   const bool streams = std::all_of(columns.begin(), columns.end(), is_stream);
@@ -242,11 +223,8 @@ BoxesInStreams::BoxesInStreams(const py::object& given, const std::string& name,
   view_ = std::get<BoxView>(in_.where);
 }
 
-float rounded_down(double number) noexcept {
-  const auto nearest = static_cast<float>(number);
-  return static_cast<double>(nearest) > number ? std::nextafter(nearest, -infinity) : nearest;
-}
+float rounded_down(double number) noexcept { return Origin().around(WorldBox{{number, 0, 0}, {}}).lo[0]; }
 
-float rounded_up(double number) noexcept { return -rounded_down(-number); }
+float rounded_up(double number) noexcept { return Origin().around(WorldBox{{}, {number, 0, 0}}).hi[0]; }
 
 }  // namespace shaftcull::python

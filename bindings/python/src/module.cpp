@@ -13,6 +13,7 @@ PYBIND11_MODULE(_shaftcull, module) {
   add_holders(module);
   add_dynamic(module);
   add_boxes(module);
+  add_origin(module);
   add_patches(module);
   add_visibility(module);
   add_view_factors(module);

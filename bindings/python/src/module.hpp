@@ -18,6 +18,7 @@ void add_bounds(py::module_& module);
 void add_holders(py::module_& module);
 void add_dynamic(py::module_& module);
 void add_boxes(py::module_& module);
+void add_origin(py::module_& module);
 void add_patches(py::module_& module);
 void add_visibility(py::module_& module);
 void add_view_factors(py::module_& module);

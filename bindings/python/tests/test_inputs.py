@@ -470,3 +470,58 @@ def test_results_own_their_memory(boxes, a, b):
         assert result.flags.writeable
         np.testing.assert_array_equal(result, copy)
         result[...] = 0
+
+
+def test_an_origin_makes_bounds_that_contain_what_they_are_given():
+    rng = np.random.default_rng(5)
+    at = np.array([4512345.0, 500000.0, 100.0])
+    origin = sc.Origin(at)
+    assert origin.at.tolist() == at.tolist() and origin == sc.Origin(tuple(at)) and repr(origin) == f"Origin({at.tolist()})"
+    assert len({origin, sc.Origin(at), sc.Origin()}) == 2
+    middle = at + rng.uniform(-500, 500, (200, 3))
+    half = rng.uniform(0, 3, (200, 3))
+    boxes = np.hstack([middle - half, middle + half])
+    around, within = origin.boxes(boxes), origin.boxes(boxes, within=True)
+    assert around.dtype == np.float32 and around.shape == (200, 6)
+    for i in range(200):
+        for axis in range(3):
+            lo = F(boxes[i, axis]) - F(at[axis])
+            hi = F(boxes[i, 3 + axis]) - F(at[axis])
+            assert F(float(around[i, axis])) <= lo <= F(float(within[i, axis]))
+            assert F(float(within[i, 3 + axis])) <= hi <= F(float(around[i, 3 + axis]))
+    assert np.abs(around - within).max() < 1e-4
+    assert sc.BoxStream(around).count(sc.Shafts.between(around[0], around[1])) >= 2
+
+    spheres = np.hstack([middle, half[:, :1]])
+    for sphere, given in zip(origin.spheres(spheres), spheres):
+        off = sum((F(float(sphere[k])) - (F(given[k]) - F(at[k]))) ** 2 for k in range(3))
+        assert (F(float(sphere[3])) - F(given[3])) ** 2 >= off and sphere[3] >= given[3]
+    points = origin.points(middle)
+    np.testing.assert_array_equal(points, (middle - at).astype(np.float32))
+    np.testing.assert_allclose(origin.to_world(points), middle, atol=1e-4)
+
+    near = sc.Origin.near(middle)
+    assert np.abs(near.at - middle.mean(axis=0)).max() < 100 and (near.at % 8 == 0).all()
+    one = origin.boxes(boxes[0])
+    assert one.shape == (6,) and (one == around[0]).all()
+    assert origin.boxes(np.empty((0, 6))).shape == (0, 6)
+    # What lies between two floats has no box within, and what is wrong is refused by whoever takes it.
+    assert sc.Origin().boxes([0.1, 0, 0, 0.1, 1, 1], within=True).tolist() == [np.inf] * 3 + [-np.inf] * 3
+    with pytest.raises(sc.BadBound):
+        sc.BoxStream(origin.boxes([[np.nan, 0, 0, 1, 1, 1]]))
+    for wrong, error in [
+        (lambda: sc.Origin((0, np.inf, 0)), "not finite"),
+        (lambda: sc.Origin((0, 0)), r"shape \(2,\)"),
+        (lambda: origin.boxes(middle), r"shape \(200, 3\); it must be \(n, 6\), or \(6,\) for one"),
+        (lambda: origin.spheres(middle), r"\(n, 4\)"),
+        (lambda: origin.points(boxes), r"\(n, 3\)"),
+        (lambda: origin.to_world(boxes.astype(np.float32)), r"\(n, 3\)"),
+        (lambda: sc.Origin.near(np.empty((0, 3))), "points is empty"),
+        (lambda: sc.Origin.near([[0, 0, np.nan]]), "not finite"),
+    ]:
+        with pytest.raises(ValueError, match=error):
+            wrong()
+    with pytest.raises(TypeError):
+        origin.boxes(np.array([["a"] * 6]))
+    with pytest.raises(TypeError):
+        origin.to_world(middle)

@@ -23,10 +23,25 @@ function exactFloats(values, name) {
     if (typeof value !== 'number') throw new TypeError(`${name}[${i}] is no number`);
     if (!Object.is(Math.fround(value), value)) {
       throw new TypeError(`${name}[${i}] = ${value} is no float32; Math.fround() rounds a number to the nearest one, ` +
-                          'roundOutwards() rounds boxes so that they contain the given ones');
+                          'origin().boxesAround() makes boxes that contain the given ones');
     }
     return value;
   });
+}
+
+/** Doubles, `per` of them for each element. */
+export function asDoubles(values, per, name) {
+  if (!(values instanceof Float64Array)) {
+    checkArray(values, name);
+    values = Float64Array.from(values, (value, i) => {
+      if (typeof value !== 'number') throw new TypeError(`${name}[${i}] is no number`);
+      return value;
+    });
+  }
+  if (values.length % per !== 0) {
+    throw new TypeError(`${name} has ${values.length} numbers, which is no multiple of ${per}`);
+  }
+  return values;
 }
 
 /** Integers from 0 to 2³² − 1. */
@@ -123,32 +138,4 @@ export function checkOptions(options, names) {
   for (const name of Object.keys(options)) {
     if (!names.includes(name)) throw new TypeError(`there is no option '${name}'; there are '${names.join("', '")}'`);
   }
-}
-
-const bits = new DataView(new ArrayBuffer(4));
-
-/** The next float32 below a finite one, or above it. */
-function next(value, up) {
-  bits.setFloat32(0, value);
-  if (value === 0) {
-    bits.setUint32(0, up ? 1 : 0x8000_0001);
-  } else {
-    bits.setUint32(0, bits.getUint32(0) + (value > 0 === up ? 1 : -1));
-  }
-  return bits.getFloat32(0);
-}
-
-function roundedDown(value) {
-  const nearest = Math.fround(value);
-  if (nearest <= value) return nearest;
-  return nearest === Infinity ? 3.4028234663852886e38 : next(nearest, false);
-}
-
-export function roundOutwards(boxes) {
-  checkArray(boxes, 'boxes');
-  if (boxes.length % 6 !== 0) throw new TypeError(`boxes has ${boxes.length} numbers, which is no multiple of 6`);
-  return Float32Array.from(boxes, (value, i) => {
-    if (typeof value !== 'number' || Number.isNaN(value)) throw new TypeError(`boxes[${i}] is no number`);
-    return i % 6 < 3 ? roundedDown(value) : -roundedDown(-value);
-  });
 }

@@ -11,7 +11,7 @@
  *     for (const i of tree.list(shaft)) console.log(`box ${i} may stand between`);
  *
  * Numbers. All floats are float32. Arrays of numbers are taken if each is a float32 exactly; otherwise a call throws a
- * TypeError, since nothing is rounded silently: `roundOutwards()` makes float32 boxes that contain those of doubles.
+ * TypeError, since nothing is rounded silently: `origin().boxesAround()` makes float32 boxes that contain those of doubles.
  *
  * Errors. What the library refuses is a `ShaftcullError`, which says what is wrong, where, and what would be right.
  * Arguments of another type or number, and objects that were freed or are of another module, are a `TypeError`, and a
@@ -60,8 +60,24 @@ export class ShaftcullError extends Error {
  */
 export function load(wasm?: string | object): Promise<Shaftcull>;
 
-/** Boxes of float32, 6 for each of `boxes`, that contain these. Throws a TypeError for a NaN. */
-export function roundOutwards(boxes: ArrayLike<number>): Float32Array;
+/**
+ * A point of a world in doubles that coordinates are relative to. What is outside of the shaft between two boxes from
+ * `boxesAround()` is so in the world, too. Calls refuse what is NaN when they get it, not here.
+ */
+export interface Origin {
+  /** Where it is: x, y, z. */
+  readonly at: Float64Array;
+  /** The smallest boxes of floats that contain boxes of 6 doubles. */
+  boxesAround(boxes: ArrayLike<number>): Float32Array;
+  /** The largest boxes within: for solids, and for what is to contain others. The empty box where there is none. */
+  boxesWithin(boxes: ArrayLike<number>): Float32Array;
+  /** Spheres that contain spheres of 4 doubles: centres are rounded to nearest, and radii grow. */
+  spheresAround(spheres: ArrayLike<number>): Float32Array;
+  /** The nearest floats of points of 3 doubles: for vertices, and corners of patches. */
+  nearest(points: ArrayLike<number>): Float32Array;
+  /** Where points of 3 floats are in the world. */
+  toWorld(points: Floats): Float64Array;
+}
 
 /** One instance of the library. */
 export interface Shaftcull {
@@ -72,6 +88,8 @@ export interface Shaftcull {
   /** The one that calls use, the fastest at first. Answers do not depend on it. Throws for a name that is none. */
   instructionSet: string;
 
+  /** A point of the world that coordinates are relative to: [0, 0, 0] unless given. Throws for one that is not finite. */
+  origin(at?: ArrayLike<number>): Origin;
   /** The smallest box around points of 3 floats; the empty box, lo = +∞ and hi = −∞, if there are none. */
   boxAround(points: Floats): Float32Array;
   /** The box moved by a vector of 3 floats, rounded outwards. */

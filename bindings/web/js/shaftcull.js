@@ -5,11 +5,11 @@ import * as boxes from './boxes.js';
 import {dynamicTreeOf} from './dynamic_trees.js';
 import * as hashes from './hashes.js';
 import {Module} from './module.js';
+import {Origin} from './origin.js';
 import * as shafts from './shafts.js';
 import {viewFactor, viewFactors} from './view_factors.js';
 import {countVisibility, visibility} from './visibility.js';
 
-export {roundOutwards} from './arguments.js';
 export {ShaftcullError} from './error.js';
 
 export async function load(wasm = new URL('shaftcull.wasm', import.meta.url)) {
@@ -55,6 +55,10 @@ class Shaftcull {
       new Uint8Array(module.view.buffer, pointer, text.length).set(text);
       module.call('shaftcull_select_isa', pointer);
     });
+  }
+
+  origin(at) {
+    return new Origin(this.#module, at);
   }
 
   boxAround(points) {

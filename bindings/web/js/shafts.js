@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Arrays of shafts, and convex hulls.
 import {asEnumerator, asFloats, asFloatsOf, asIndices, asPosition, asView, checkOptions} from './arguments.js';
+import {ShaftcullError} from './error.js';
 import {Held, made} from './held.js';
 import {asTriangleTest} from './query.js';
 import {kindOf, sourceOf} from './sources.js';
@@ -73,14 +74,17 @@ export class Shafts extends Volume {
   occludedByBox(solid, options = {}) {
     checkOptions(options, ['at']);
     const box = asFloatsOf(solid, 6, 'solid');
-    return askOne(this, options.at, 'shaftcull_occluded_by_box', (scratch) => [scratch.copy(box)]) === 1;
+    return askOne(this, options.at, 'shaftcull_occluded_by', (scratch) => [scratch.copy(box), 2n]) === 1;
   }
 
   occludedByPolygon(corners, options = {}) {
     checkOptions(options, ['at']);
     const floats = asFloats(corners, 3, 'corners');
     const count = BigInt(floats.length / 3);
-    return askOne(this, options.at, 'shaftcull_occluded_by_polygon', (scratch) => [scratch.copy(floats), count]) === 1;
+    if (count === 2n) {  // which the C interface takes for a box
+      throw new ShaftcullError('invalid argument', 'a polygon has three corners or more, not 2');
+    }
+    return askOne(this, options.at, 'shaftcull_occluded_by', (scratch) => [scratch.copy(floats), count]) === 1;
   }
 
   /** The result of use(info, scratch), of the shaftcull_shafts_info of one shaft. */

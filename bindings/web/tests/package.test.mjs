@@ -8,7 +8,7 @@ import {before, describe, test} from 'node:test';
 import {pathToFileURL} from 'node:url';
 
 const folder = env.SHAFTCULL_PACKAGE;
-const {load, roundOutwards, ShaftcullError} = await import(pathToFileURL(join(folder, 'shaftcull.js')));
+const {load, ShaftcullError} = await import(pathToFileURL(join(folder, 'shaftcull.js')));
 
 let shaftcull;
 before(async () => {
@@ -1285,15 +1285,35 @@ test('many objects are kept at once', async () => {
   assert(held.every((shaft) => tree.count(shaft) === 2));
 });
 
-test('roundOutwards contains what it is given', () => {
-  const boxes = [0.1, -0.1, 1e-60, 0.1, -0.1, -1e-60, 1e39, -1e39, 0, 1e39, 1e39, -0];
-  const rounded = roundOutwards(boxes);
+test('an origin makes boxes and spheres that contain what they are given, and boxes within', () => {
+  const boxes = [0.1, -0.1, 1e-60, 0.1, -0.1, 1e-60, -1e39, -1e39, 0, 1e39, 1e39, 1];
+  const world = shaftcull.origin();
+  assert.deepEqual([...world.at], [0, 0, 0]);
+  const around = world.boxesAround(boxes);
   boxes.forEach((value, i) => {
-    assert(i % 6 < 3 ? rounded[i] <= value : rounded[i] >= value, `${value}, ${rounded[i]}`);
+    assert(i % 6 < 3 ? around[i] <= value : around[i] >= value, `${value}, ${around[i]}`);
   });
   const above = Math.fround(0.1);
-  assert.deepEqual([...roundOutwards([0.1, 1, 2, 0.1, 3, 4])], [above - 2 ** -27, 1, 2, above, 3, 4]);
-  assert.throws(() => roundOutwards([NaN, 0, 0, 0, 0, 0]), /boxes\[0\] is no number/);
+  assert.deepEqual([...world.boxesAround([0.1, 1, 2, 0.1, 3, 4])], [above - 2 ** -27, 1, 2, above, 3, 4]);
+  assert.deepEqual([...world.boxesWithin([0, 1, 2, 0.1, 3, 4])], [0, 1, 2, above - 2 ** -27, 3, 4]);
+  assert.deepEqual([...world.boxesWithin([0.1, 1, 2, 0.1, 3, 4])],
+                   [Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity]);
+
+  const there = shaftcull.origin([4512345, 500000, 100]);
+  assert.deepEqual([...there.boxesAround([4512345.25, 500001, 100, 4512346, 500002, 101])], [0.25, 1, 0, 1, 2, 1]);
+  const [x, y, z, radius] = there.spheresAround(new Float64Array([4512345.5, 500000, 100, 0.1]));
+  assert.deepEqual([x, y, z], [0.5, 0, 0]);
+  assert(radius >= 0.1 && radius < 0.1000001);
+  assert.deepEqual([...there.nearest([4512345.1, 500000, 100])], [Math.fround(4512345.1 - 4512345), 0, 0]);
+  assert.deepEqual([...there.toWorld([0.25, 1, 2])], [4512345.25, 500001, 102]);
+  assert.deepEqual(there.boxesAround([]), new Float32Array());
+
+  assert(Number.isNaN(world.boxesAround([NaN, 0, 0, 0, 0, 0])[0]));
+  assert.throws(() => shaftcull.boxStream(world.boxesAround([NaN, 0, 0, 0, 0, 0])), /not a number|NaN|lo/);
+  assert.throws(() => world.boxesAround([1, 2, 3]), /boxes has 3 numbers, which is no multiple of 6/);
+  assert.throws(() => world.nearest(['1', 2, 3]), /points\[0\] is no number/);
+  assert.throws(() => shaftcull.origin([1, 2]), /at has 2 numbers/);
+  assert.throws(() => shaftcull.origin([0, Infinity, 0]), /not finite/);
 });
 
 test('all hashes are those on record, on both instruction sets', () => {

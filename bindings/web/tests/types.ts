@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 // A client in TypeScript, which is compiled and not run: all types are there, and what is wrong is refused.
-import {load, roundOutwards, ShaftcullError} from 'shaftcull';
+import {load, ShaftcullError} from 'shaftcull';
 import type {
-  Answer, AskManyOptions, AskOptions, BoxTree, Bounds, DynamicBoxTree, FirstContact, Floats, Hull, Lists, ShaftInfo, Shafts, Shaftcull,
-  Sight, ViewFactors, Visibility, Volume,
+  Answer, AskManyOptions, AskOptions, BoxTree, Bounds, DynamicBoxTree, FirstContact, Floats, Hull, Lists, Origin, ShaftInfo, Shafts,
+  Shaftcull, Sight, ViewFactors, Visibility, Volume,
 } from 'shaftcull';
 
 const shaftcull: Shaftcull = await load(new Uint8Array());
-const boxes: Floats = roundOutwards([0, 0, 0, 1, 1, 1]);
+const world: Origin = shaftcull.origin([4512345, 500000, 100]);
+const boxes: Floats = world.boxesAround([0, 0, 0, 1, 1, 1]);
+export const corners: Float64Array = world.toWorld(world.nearest(world.at));
 const tree: BoxTree = shaftcull.boxTree(boxes);
 const shafts: Shafts = shaftcull.between(boxes, [2, 2, 2, 3, 3, 3], {contact: 'open', pairs: [0, 0]});
 shaftcull.shadow(boxes, boxes, {planes: [], planesLights: [], planesOccluders: [], contact: 'open', reach: 2});
