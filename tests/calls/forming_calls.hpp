@@ -27,19 +27,22 @@ inline void add_forming_calls(CallTable& table) {
       note(words, plane.offset);
     }
   });
-  table.add("Origin", false, [&table](AnswerWords& words) {
-    for (const Box& box : std::span(table.boxes).first(9)) {
-      const WorldBox world{{box.lo[0] + 1e-9, box.lo[1] / 3.0, 1e-42}, {box.hi[0] + 1e-9, box.hi[1] / 3.0, 2e-42}};
+  // Made here, in the standard mode.
+  std::vector<WorldBox> worlds;
+  for (const Box& box : std::span(table.boxes).first(9)) {
+    worlds.push_back({{box.lo[0] + 1e-9, box.lo[1] / 3.0, 1e-42}, {box.hi[0] + 1e-9, box.hi[1] / 3.0, 2e-42}});
+  }
+  table.add("Origin", false, [worlds](AnswerWords& words) {
+    for (const WorldBox& world : worlds) {
       const Origin origin(Origin::near(world).at());
-      const WorldBox boxes[] = {world};
-      const WorldSphere spheres[] = {{world.lo, 1e-42}};
+      const WorldSphere sphere{world.lo, 1e-42};
       Box around[1];
       Box within[1];
       Sphere spheres_around[1];
       Vec3 points[1];
-      origin.around(boxes, around);
-      origin.within(boxes, within);
-      origin.around(spheres, spheres_around);
+      origin.around(std::span(&world, 1), around);
+      origin.within(std::span(&world, 1), within);
+      origin.around(std::span(&sphere, 1), spheres_around);
       origin.nearest(std::span(&world.hi, 1), points);
       note(words, origin.at());
       note(words, around[0]);
@@ -48,10 +51,10 @@ inline void add_forming_calls(CallTable& table) {
       note(words, points[0]);
       note(words, origin.around(world));
       note(words, origin.within(world));
-      note(words, origin.around(spheres[0]));
+      note(words, origin.around(sphere));
       note(words, origin.nearest(world.lo));
-      note(words, origin.to_world({box.lo[0], 1e-42F, 1}));
-      const Plane plane = origin.around(WorldPlane{{1.0 / 3, 1e-42, 1}, 1.0 / 7}, world);
+      note(words, origin.to_world({0.1F, 1e-42F, 1}));
+      const Plane plane = origin.around(WorldPlane{{0x1.5555555555555p-2, 1e-42, 1}, 0x1.2492492492492p-3}, world);
       note(words, plane.normal);
       note(words, plane.offset);
     }

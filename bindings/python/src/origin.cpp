@@ -16,7 +16,7 @@ namespace {
 
 /// An argument as doubles: (n, numbers), or (numbers,) for one.
 Doubles doubles_in(const py::object& given, const std::string& name, py::ssize_t numbers) {
-  const Doubles array(numbers_in(given, name, {true, "it must be numbers"}));
+  Doubles array(numbers_in(given, name, {true, "it must be numbers"}));
   const bool one = array.ndim() == 1 && array.shape(0) == numbers;
   const bool many = array.ndim() == 2 && array.shape(1) == numbers;
   const bool none = array.ndim() == 1 && array.size() == 0;
