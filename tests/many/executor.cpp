@@ -182,6 +182,48 @@ TEST(Executors, TasksMayRunOneAfterAnother) {
   EXPECT_EQ(Answers() == expected, true);
 }
 
+/// All tasks at the same time, each on a thread of its own: none begins before all are there.
+class AtOnce final : public Executor {
+ public:
+  void run(std::size_t count, FunctionRef<void(std::size_t)> task) override {
+    std::atomic<std::size_t> missing = count;
+    std::vector<std::thread> threads;
+    for (std::size_t i = 0; i != count; ++i) {
+      threads.emplace_back([&missing, task, i] {
+        --missing;
+        while (missing.load() != 0) std::this_thread::yield();
+        task(i);
+      });
+    }
+    for (std::thread& thread : threads) thread.join();
+  }
+  [[nodiscard]] std::size_t threads() const noexcept override { return 2; }
+};
+
+// Where a sanitizer watches threads, it sees what two tasks share: those of oneTBB and of a pool may both run on one
+// thread.
+TEST(Executors, TasksAtOnceShareNothingThatTheyWrite) {
+  AtOnce executor;
+  const UseExecutor use(executor);
+  // Each half has one box for each of the shafts, which only it finds.
+  std::vector<Box> boxes(16384, Box{{0, 9, 0}, {1, 10, 1}});
+  boxes[5] = {{50, 0, 0}, {51, 1, 1}};
+  boxes[10000] = {{40, 0, 0}, {41, 1, 1}};
+  const std::vector<CompiledShaft> shafts(64, compile({{0, 0, 0}, {1, 1, 1}}, {{99, 0, 0}, {100, 1, 1}}));
+  const BoxStream stream{std::span<const Box>(boxes)};
+  for (int call = 0; call != 5; ++call) {
+    std::vector<FirstContact> contacts(shafts.size());
+    first_contact_many(shafts, stream, contacts);
+    for (const FirstContact& contact : contacts) EXPECT_EQ(contact.index, 10000U);
+    std::vector<std::uint64_t> counts(shafts.size());
+    count_many(shafts, stream, counts);
+    EXPECT_EQ(counts, std::vector<std::uint64_t>(shafts.size(), 2));
+    std::vector<std::uint64_t> bits(bit_words(shafts.size()));
+    any_many(shafts, stream, bits);
+    EXPECT_EQ(bits, std::vector<std::uint64_t>{~std::uint64_t{0}});
+  }
+}
+
 TEST(Executors, ExceptionsReachTheCaller) {
   Pool pool(4);
   const UseExecutor use(pool);
