@@ -23,13 +23,16 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "bytes are read as they are in files");
 
-constexpr std::array known_numbers{Number::float32, Number::int32, Number::uint32, Number::int64, Number::uint64};
-constexpr std::string_view known = "float32, int32, uint32, int64 and uint64, little-endian";
+constexpr std::array known_numbers{Number::float32, Number::float64, Number::int32,
+                                   Number::uint32,  Number::int64,   Number::uint64};
+constexpr std::string_view known = "float32, float64, int32, uint32, int64 and uint64, little-endian";
 
 const char* numpy_type(Number number) {
   switch (number) {
     case Number::float32:
       return "<f4";
+    case Number::float64:
+      return "<f8";
     case Number::int32:
       return "<i4";
     case Number::uint32:
@@ -46,6 +49,8 @@ hid_t hdf5_type(Number number) {
   switch (number) {
     case Number::float32:
       return H5T_IEEE_F32LE;
+    case Number::float64:
+      return H5T_IEEE_F64LE;
     case Number::int32:
       return H5T_STD_I32LE;
     case Number::uint32:
@@ -67,12 +72,16 @@ std::optional<std::size_t> dataset_at(const std::string& name) {
 
 }  // namespace
 
-std::size_t bytes_of(Number number) noexcept { return number == Number::int64 || number == Number::uint64 ? 8 : 4; }
+std::size_t bytes_of(Number number) noexcept {
+  return number == Number::float64 || number == Number::int64 || number == Number::uint64 ? 8 : 4;
+}
 
 const char* name_of(Number number) noexcept {
   switch (number) {
     case Number::float32:
       return "float32";
+    case Number::float64:
+      return "float64";
     case Number::int32:
       return "int32";
     case Number::uint32:

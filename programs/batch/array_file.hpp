@@ -12,7 +12,7 @@
 namespace shaftcull::batch {
 
 /// What an array is made of.
-enum class Number : std::uint8_t { float32, int32, uint32, int64, uint64 };
+enum class Number : std::uint8_t { float32, float64, int32, uint32, int64, uint64 };
 
 [[nodiscard]] std::size_t bytes_of(Number number) noexcept;
 [[nodiscard]] const char* name_of(Number number) noexcept;

@@ -11,19 +11,23 @@
 
 namespace shaftcull::batch {
 
-BoundsSource::BoundsSource(const std::string& bounds) : array_(bounds) {
+BoundsSource::BoundsSource(const std::string& bounds, const Origin& origin, bool are_solids) : array_(bounds) {
   const std::size_t columns = array_.columns();
-  if (array_.number() != Number::float32 || (columns != 4 && columns != 6 && columns != 9)) {
+  if (!is_of_floats(array_) || (columns != 4 && columns != 6 && columns != 9)) {
     throw InvalidArgument(fmt::format("{}: is {}; bounds are rows of floats: boxes of 6, spheres of 4, triangles of 9",
                                       bounds, array_.shape()));
   }
   kind_ = columns == 6 ? BoundKind::box : columns == 4 ? BoundKind::sphere : BoundKind::triangle;
+  const RowRounding rounding = kind_ == BoundKind::triangle ? RowRounding::nearest
+                               : kind_ == BoundKind::sphere ? RowRounding::spheres_around
+                               : are_solids                 ? RowRounding::boxes_within
+                                                            : RowRounding::boxes_around;
+  rows_ = FloatRows(array_, origin, rounding);
 }
 
 std::span<const float> BoundsSource::read(std::uint64_t first, std::uint64_t count,
                                           std::vector<std::byte>& scratch) const {
-  const std::span<const std::byte> bytes = array_.read(first, count, scratch);
-  return {reinterpret_cast<const float*>(bytes.data()), bytes.size() / sizeof(float)};
+  return rows_.read(first, count, scratch);
 }
 
 Box BoundsSource::box_around(const float* floats) const noexcept {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The bounds of a job, as they are in their file.
+/// The bounds of a job, as they are in their file, or rounded to floats.
 #pragma once
 
 #include <algorithm>
@@ -10,16 +10,21 @@
 #include <vector>
 
 #include "batch/array_file.hpp"
+#include "batch/float_rows.hpp"
 #include "batch/question.hpp"
 #include "shaftcull/bounds.hpp"
 
 namespace shaftcull::batch {
 
-/// Rows of floats: boxes in 6 (lo x, lo y, lo z, hi x, hi y, hi z), spheres in 4 (centre, radius), triangles in 9.
+/// Rows of floats: boxes in 6 (lo x, lo y, lo z, hi x, hi y, hi z), spheres in 4 (centre, radius), triangles in 9. Of a
+/// file of doubles, boxes and spheres that contain the given ones, solid boxes within them, and triangles whose
+/// vertices are rounded to nearest, all relative to an origin.
 class BoundsSource {
  public:
   /// Throws InvalidArgument, which names the file, if it holds something else.
-  explicit BoundsSource(const std::string& bounds);
+  explicit BoundsSource(const std::string& bounds, const Origin& origin = {}, bool are_solids = false);
+  BoundsSource(const BoundsSource&) = delete;
+  BoundsSource& operator=(const BoundsSource&) = delete;
 
   [[nodiscard]] BoundKind kind() const noexcept { return kind_; }
   [[nodiscard]] std::uint64_t size() const noexcept { return array_.rows(); }
@@ -46,6 +51,7 @@ class BoundsSource {
  private:
   ArrayFile array_;
   BoundKind kind_ = BoundKind::box;
+  FloatRows rows_;  ///< of array_
 };
 
 }  // namespace shaftcull::batch

@@ -19,6 +19,7 @@
 #endif
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "batch/block_store.hpp"
 #include "batch/bounds_source.hpp"
@@ -60,7 +61,9 @@ struct Input {
   BoundsSource bounds;
   ShaftSource shafts;
 
-  explicit Input(const Job& job) : bounds(job.bounds), shafts(job.shafts, job.boxes, job.question.kind) {
+  explicit Input(const Job& job)
+      : bounds(job.bounds, job.origin, job.question.answer == Answer::occluded),
+        shafts(job.shafts, job.boxes, job.question.kind, job.origin) {
     const Answer answer = job.question.answer;
     const BoundKind kind = bounds.kind();
     if (kind == BoundKind::triangle && answer != Answer::count && answer != Answer::list) {
@@ -120,9 +123,10 @@ class Run {
  private:
   void agree_on_job() {
     agree_on_version(ranks_, surroundings_.version);
-    const std::string command = fmt::format("{}\n{}\n{}\n{}\n{} {} {} {} {}", job_.bounds, job_.shafts, job_.boxes,
-                                            job_.out, name_of(job_.question.kind), name_of(job_.question.answer),
-                                            static_cast<int>(job_.question.contact), job_.block, job_.memory);
+    const std::string command =
+        fmt::format("{}\n{}\n{}\n{}\n{} {} {} {} {} {}", job_.bounds, job_.shafts, job_.boxes, job_.out,
+                    name_of(job_.question.kind), name_of(job_.question.answer), static_cast<int>(job_.question.contact),
+                    job_.block, job_.memory, fmt::join(job_.origin.at(), ","));
     agree_on(ranks_, checksum(bytes_of(command)), "was started with other options than rank 0");
   }
 
@@ -149,6 +153,9 @@ class Run {
     const std::vector<const ArrayFile*> arrays = input_->shafts.arrays();
     description_.emplace_back("shafts", hash(*arrays[0]));
     if (arrays.size() > 1) description_.emplace_back("boxes", hash(*arrays[1]));
+    if (job_.origin != Origin()) {
+      description_.emplace_back("origin", fmt::format("{}", fmt::join(job_.origin.at(), ",")));
+    }
     description_.emplace_back("block", fmt::format("{}", block_));
     description_.emplace_back("shares", fmt::format("{}", plan_.count()));
     report_.shafts = input_->shafts.size();

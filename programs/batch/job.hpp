@@ -10,6 +10,7 @@
 #include "batch/progress_lines.hpp"
 #include "batch/question.hpp"
 #include "batch/ranks.hpp"
+#include "shaftcull/origin.hpp"
 
 namespace shaftcull::batch {
 
@@ -19,6 +20,7 @@ struct Job {
   std::string shafts;
   std::string boxes;  ///< empty unless shafts are positions
   std::string out;    ///< the HDF5 file to make
+  Origin origin;      ///< that arrays of float64 become floats relative to
   Question question;
   std::uint64_t block = 0;   ///< shafts a block; 0 for a number that fits the question
   std::uint64_t memory = 0;  ///< bytes that bounds may take in a rank; 0 for as many as they take

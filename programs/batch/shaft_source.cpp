@@ -66,11 +66,11 @@ Box box_of(std::span<const float> six) { return {{six[0], six[1], six[2]}, {six[
 
 }  // namespace
 
-ShaftSource::ShaftSource(const std::string& shafts, const std::string& boxes, ShaftKind kind)
-    : kind_(kind), rows_(std::make_unique<ArrayFile>(shafts)) {
+ShaftSource::ShaftSource(const std::string& shafts, const std::string& boxes, ShaftKind kind, const Origin& origin)
+    : kind_(kind), origin_(origin), rows_(std::make_unique<ArrayFile>(shafts)), row_bytes_(rows_->row_bytes()) {
   const bool two_boxes = kind == ShaftKind::between || kind == ShaftKind::shadow;
   const std::size_t columns = two_boxes ? 12 : 9;
-  if (rows_->number() == Number::float32) {
+  if (is_of_floats(*rows_)) {
     if (rows_->columns() != columns) {
       throw InvalidArgument(fmt::format("{}: is {}; shafts of kind {} are rows of {} floats, {}", shafts,
                                         rows_->shape(), name_of(kind), columns,
@@ -79,6 +79,11 @@ ShaftSource::ShaftSource(const std::string& shafts, const std::string& boxes, Sh
     if (!boxes.empty()) {
       throw InvalidArgument(fmt::format("--boxes {}: {} holds boxes itself, not positions of them", boxes, shafts));
     }
+    if (rows_->number() == Number::float64 && !two_boxes) {
+      throw InvalidArgument(fmt::format("{}: is {}; only shafts of two boxes may be of float64, not those of kind {}",
+                                        shafts, rows_->shape(), name_of(kind)));
+    }
+    row_bytes_ = columns * sizeof(float);
     return;
   }
   if (!two_boxes || rows_->columns() != 2) {
@@ -89,11 +94,11 @@ ShaftSource::ShaftSource(const std::string& shafts, const std::string& boxes, Sh
     throw InvalidArgument(fmt::format("{}: holds positions of boxes; which? Add --boxes FILE", shafts));
   }
   boxes_ = std::make_unique<ArrayFile>(boxes);
-  if (boxes_->number() != Number::float32 || boxes_->columns() != 6) {
+  if (!is_of_floats(*boxes_) || boxes_->columns() != 6) {
     throw InvalidArgument(fmt::format("{}: is {}; boxes are rows of 6 floats", boxes, boxes_->shape()));
   }
-  box_bytes_ =
-      boxes_->mapped() != nullptr ? boxes_->mapped() : boxes_->read(0, boxes_->rows(), boxes_in_memory_).data();
+  const FloatRows floats(*boxes_, origin_, RowRounding::boxes_around);
+  box_bytes_ = std::as_bytes(floats.read(0, boxes_->rows(), boxes_in_memory_)).data();
 }
 
 std::vector<const ArrayFile*> ShaftSource::arrays() const {
@@ -103,18 +108,18 @@ std::vector<const ArrayFile*> ShaftSource::arrays() const {
 
 void ShaftSource::form(std::uint64_t first, std::span<CompiledShaft> out, bool complete) const {
   std::vector<std::byte> scratch;
-  const std::byte* const rows = rows_->read(first, out.size(), scratch).data();
+  const std::byte* const rows = read(first, out.size(), scratch);
   std::atomic<std::uint64_t> bad_row = no_row;
   for_chunks(out.size(), shafts_at_once, [&](std::size_t begin, std::size_t size) {
     const std::span<CompiledShaft> chunk = out.subspan(begin, size);
-    const std::byte* const bytes = rows + begin * rows_->row_bytes();
+    const std::byte* const bytes = rows + begin * row_bytes_;
     try {
       form_chunk(first + begin, bytes, chunk);
     } catch (const InvalidArgument&) {
       // Which row it is, and why, is told below: of several chunks, by the first.
       for (std::size_t i = 0; i != size; ++i) {
         try {
-          form_one(first + begin + i, bytes + i * rows_->row_bytes(), chunk[i]);
+          form_one(first + begin + i, bytes + i * row_bytes_, chunk[i]);
         } catch (const InvalidArgument&) {
           std::uint64_t known = bad_row;
           while (first + begin + i < known && !bad_row.compare_exchange_weak(known, first + begin + i)) continue;
@@ -128,8 +133,13 @@ void ShaftSource::form(std::uint64_t first, std::span<CompiledShaft> out, bool c
   });
   if (const std::uint64_t row = bad_row; row != no_row) {
     CompiledShaft shaft;
-    form_one(row, rows + (row - first) * rows_->row_bytes(), shaft);
+    form_one(row, rows + (row - first) * row_bytes_, shaft);
   }
+}
+
+const std::byte* ShaftSource::read(std::uint64_t first, std::uint64_t count, std::vector<std::byte>& scratch) const {
+  if (boxes_) return rows_->read(first, count, scratch).data();
+  return std::as_bytes(FloatRows(*rows_, origin_, RowRounding::boxes_around).read(first, count, scratch)).data();
 }
 
 Box ShaftSource::indexed_box(std::uint64_t row, std::uint64_t position) const {
@@ -137,14 +147,14 @@ Box ShaftSource::indexed_box(std::uint64_t row, std::uint64_t position) const {
     throw InvalidArgument(fmt::format("{}: row {}: {} is no position of the {} boxes of {}", rows_->name(), row,
                                       position, boxes_->rows(), boxes_->name()));
   }
-  const std::array<float, 12> floats = floats_of(box_bytes_ + position * boxes_->row_bytes(), 6);
+  const std::array<float, 12> floats = floats_of(box_bytes_ + position * 6 * sizeof(float), 6);
   return box_of(std::span(floats).first(6));
 }
 
 void ShaftSource::form_chunk(std::uint64_t first, const std::byte* rows, std::span<CompiledShaft> out) const {
   Columns columns;  // written where it is read
   for (std::size_t i = 0; i != out.size(); ++i) {
-    const std::byte* const row = rows + i * rows_->row_bytes();
+    const std::byte* const row = rows + i * row_bytes_;
     if (!boxes_) {
       const std::array<float, 12> floats = floats_of(row, rows_->columns());
       columns.set(i, 0, std::span(floats).first(rows_->columns()));

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 /// `shaftcull batch`: what do very many shafts keep of very many bounds?
+#include <cmath>
 #include <initializer_list>
 #include <limits>
 #include <map>
 #include <memory>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "batch_job.hpp"
 #include "instruction_set.hpp"
@@ -17,6 +22,7 @@ namespace {
 
 struct BatchOptions {
   batch::Job job;
+  std::vector<double> origin;
   std::uint64_t megabytes = 0;
   int threads = 0;
   InstructionSet isa;
@@ -66,6 +72,12 @@ void add_batch(CLI::App& program) {
   add_choice<Contact>(batch, "--contact", job.question.contact, {{"closed", Contact::closed}, {"open", Contact::open}},
                       "Whether bounds are kept that only touch a shaft, closed, or not, open (default: closed)")
       ->type_name("CONTACT");
+  batch
+      .add_option("--origin", options->origin,
+                  "Subtract this point from arrays of float64 before they are rounded to floats (default: 0,0,0)")
+      ->type_name("X,Y,Z")
+      ->delimiter(',')
+      ->expected(3);
   batch.add_option("--out", job.out, "The HDF5 file to write; FILE.parts/ holds what is finished until then")
       ->type_name("FILE");
   add_number(batch, "--memory", options->megabytes, 1, std::numeric_limits<std::uint64_t>::max() >> 20,
@@ -87,11 +99,18 @@ void add_batch(CLI::App& program) {
   batch.footer(
       "An ARRAY is FILE.npy, of NumPy, or FILE.h5:/dataset, of HDF5: float32, positions int32, uint32, int64 or "
       "uint64.\n"
+      "Boxes and spheres of float64 become such of float32 that contain them, and vertices the nearest floats.\n"
       "mpirun or srun start it on many machines, one rank a machine or socket; the file is the same. A run that was\n"
       "ended in any way is started again with the same command, and goes on.");
   batch.callback([options] {
     batch::Job& wanted = options->job;
     wanted.memory = options->megabytes << 20;
+    const std::vector<double>& origin = options->origin;
+    for (const double x : origin) {
+      if (!std::isfinite(x))
+        throw InvalidArgument(fmt::format("--origin {}: give finite numbers", fmt::join(origin, ",")));
+    }
+    if (!origin.empty()) wanted.origin = Origin({origin[0], origin[1], origin[2]});
     run_batch_job(wanted, options->threads, [&] {
       if (wanted.bounds.empty()) throw InvalidArgument("batch: which bounds? Add --bounds ARRAY");
       if (wanted.shafts.empty()) throw InvalidArgument("batch: which shafts? Add --shafts ARRAY");

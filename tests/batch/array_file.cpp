@@ -77,8 +77,8 @@ TEST(BatchArrayFile, WhatIsNoArrayOfRowsIsRefusedByName) {
     EXPECT_THAT(why, testing::StartsWith(path + ": "));
     return why;
   };
-  EXPECT_THAT(with("{'descr': '<f8', 'fortran_order': False, 'shape': (2, 4), }"),
-              HasSubstr("type <f8; known are float32"));
+  EXPECT_THAT(with("{'descr': '<f2', 'fortran_order': False, 'shape': (2, 4), }"),
+              HasSubstr("type <f2; known are float32"));
   EXPECT_THAT(with("{'descr': '>f4', 'fortran_order': False, 'shape': (2, 4), }"), HasSubstr("type >f4"));
   EXPECT_THAT(with("{'descr': [('x', '<f4')], 'fortran_order': False, 'shape': (2, 4), }"), HasSubstr("type a record"));
   EXPECT_THAT(with("{'descr': '<f4', 'fortran_order': True, 'shape': (2, 4), }"), HasSubstr("ascontiguousarray"));
@@ -153,8 +153,8 @@ TEST(BatchArrayFile, DatasetsAreReadHoweverTheyAreStored) {
 
 TEST(BatchArrayFile, WhatIsNoDatasetOfRowsIsRefusedByName) {
   const BatchFolder folder;
-  const std::vector<double> values(12);
-  write_hdf5(folder.path("a.h5"), H5T_IEEE_F64LE, {2, 6}, values.data());
+  const std::vector<std::int16_t> values(12);
+  write_hdf5(folder.path("a.h5"), H5T_STD_I16LE, {2, 6}, values.data());
   EXPECT_THAT(refusal(folder.path("a.h5") + ":/g/a"), HasSubstr("a.h5:/g/a: holds numbers of another type"));
   EXPECT_THAT(refusal(folder.path("a.h5") + ":/g"), HasSubstr("no dataset of that name"));
   EXPECT_THAT(refusal(folder.path("a.h5") + ":/b"), HasSubstr("no dataset of that name"));

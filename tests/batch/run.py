@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """`shaftcull batch` from outside: against NumPy, on ranks, killed and started again, with input that cannot be used.
 
-  run.py CASE PROGRAM MPIRUN     CASE: model, numpy, ranks, killed, errors, trees, memory, or one of sees.py; MPIRUN: empty where
+  run.py CASE PROGRAM MPIRUN     CASE: model, numpy, doubles, ranks, killed, errors, trees, memory, or one of sees.py; MPIRUN: empty where
                                  there is none
 
 Ends with 77, "skipped", where NumPy, h5py or what a case needs is missing.
@@ -125,6 +125,78 @@ def against_numpy():
             assert (file["index"][:] == [index for index, _ in first]).all()
             assert (file["time"][:] == [time for _, time in first]).all()
     assert os.listdir() and not os.path.exists("out.h5.parts")
+
+
+def of_doubles():
+    """Arrays of float64 answer as those of float32 that NumPy makes of them: relative to an origin, and rounded outwards."""
+    def answers(*options, answer="list"):
+        run(0, *options, "--out", "doubles.h5", "--answer", answer)
+        with h5py.File("doubles.h5") as file:
+            return {name: file[name][:].tolist() for name in ("offsets", "indices", "occluded") if name in file}
+
+    def outwards(boxes):
+        nearest = boxes.astype("f4")
+        down = numpy.where(nearest > boxes, numpy.nextafter(nearest, numpy.float32(-numpy.inf)), nearest)
+        up = numpy.where(nearest < boxes, numpy.nextafter(nearest, numpy.float32(numpy.inf)), nearest)
+        lo = numpy.arange(boxes.shape[1]) % 6 < 3
+        return numpy.where(lo, down, up), numpy.where(lo, up, down)
+
+    # Whole numbers in map coordinates are what they are relative to a point there.
+    scene(12, 300, 2000)
+    near, ends = numpy.load("bounds.npy"), numpy.load("shafts.npy")
+    at = numpy.array([4512345.0, 587654.0, 100.0])
+    numpy.save("far_bounds.npy", near.astype("f8") + numpy.tile(at, 2))
+    numpy.save("far_shafts.npy", ends.astype("f8") + numpy.tile(at, 4))
+    with h5py.File("far.h5", "w") as file:
+        file.create_dataset("bounds", data=numpy.load("far_bounds.npy"), chunks=(100, 6), compression="gzip")
+        file.create_dataset("shafts", data=numpy.load("far_shafts.npy"), chunks=(100, 12))
+    right = answers("--bounds", "bounds.npy", "--shafts", "shafts.npy")
+    assert right["offsets"][-1] > 5000
+    here = ["--origin", "4512345,587654,100"]
+    assert answers("--bounds", "far_bounds.npy", "--shafts", "far_shafts.npy", *here) == right
+    assert answers("--bounds", "far.h5:/bounds", "--shafts", "far.h5:/shafts", *here) == right
+    assert answers("--bounds", "far_bounds.npy", "--shafts", "far_shafts.npy", "--memory", "1", *here) == right
+    assert answers("--bounds", "bounds.npy", "--shafts", "shafts.npy", *here) == right  # float32 stays
+    with h5py.File("doubles.h5") as file:
+        assert file.attrs["origin"] == b"4512345,587654,100"
+    # Between floats, which have steps of half a unit there, more touches.
+    numpy.save("off_bounds.npy", numpy.load("far_bounds.npy") + 0.3)
+    numpy.save("off_shafts.npy", numpy.load("far_shafts.npy") + 0.3)
+    off = ["--bounds", "off_bounds.npy", "--shafts", "off_shafts.npy"]
+    assert right["offsets"][-1] <= answers(*off, *here)["offsets"][-1] < answers(*off)["offsets"][-1]
+
+    # Other numbers are rounded outwards, and solids inwards.
+    source = numpy.random.default_rng(13)
+    for name in "bounds", "shafts":
+        given = numpy.load(f"{name}.npy").astype("f8")
+        given += numpy.where(numpy.arange(given.shape[1]) % 6 < 3, -1, 1) * source.random(given.shape) / 3
+        numpy.save(f"double_{name}.npy", given)
+        larger, smaller = outwards(given)
+        assert (larger != smaller).all()
+        numpy.save(f"larger_{name}.npy", larger)
+        numpy.save(f"smaller_{name}.npy", smaller)
+    doubles = ["--bounds", "double_bounds.npy", "--shafts", "double_shafts.npy"]
+    assert answers(*doubles) == answers("--bounds", "larger_bounds.npy", "--shafts", "larger_shafts.npy")
+    hidden = answers(*doubles, answer="occluded")
+    assert hidden == answers("--bounds", "smaller_bounds.npy", "--shafts", "larger_shafts.npy", answer="occluded")
+    assert 0 < sum(hidden["occluded"]) < 300
+    pairs = source.integers(0, 2000, (300, 2))
+    numpy.save("pairs.npy", pairs)
+    of_pairs = ["--shafts", "pairs.npy", "--bounds"]
+    assert (answers(*of_pairs, "bounds.npy", "--boxes", "double_bounds.npy") ==
+            answers(*of_pairs, "bounds.npy", "--boxes", "larger_bounds.npy"))
+
+    # Spheres contain the given ones; vertices are the nearest floats.
+    spheres = numpy.concatenate([at + source.integers(0, 40, (2000, 3)), source.integers(0, 3, (2000, 1))], 1)
+    numpy.save("far_spheres.npy", spheres)
+    numpy.save("spheres.npy", (spheres - [*at, 0]).astype("f4"))
+    assert (answers("--bounds", "far_spheres.npy", "--shafts", "far_shafts.npy", *here) ==
+            answers("--bounds", "spheres.npy", "--shafts", "shafts.npy"))
+    triangles = at[[0, 1, 2] * 3] + source.random((2000, 9)) * 40
+    numpy.save("far_triangles.npy", triangles)
+    numpy.save("triangles.npy", (triangles - numpy.tile(at, 3)).astype("f4"))
+    assert (answers("--bounds", "far_triangles.npy", "--shafts", "far_shafts.npy", *here) ==
+            answers("--bounds", "triangles.npy", "--shafts", "shafts.npy"))
 
 
 def on_ranks():
@@ -306,7 +378,8 @@ def errors():
     wrong = numpy.load("shafts.npy")
     wrong[321, 3] = wrong[321, 0] - 1
     numpy.save("wrong.npy", wrong)
-    numpy.save("doubles.npy", numpy.load("bounds.npy").astype("f8"))
+    numpy.save("halves.npy", numpy.load("bounds.npy").astype("f2"))
+    numpy.save("far.npy", numpy.ones((5, 9)))
     numpy.save("pairs.npy", numpy.array([[0, 1], [2, 500]]))
     with open("torn.npy", "wb") as file:
         file.write(content("bounds.npy")[:-1])
@@ -319,7 +392,11 @@ def errors():
         "where to? Add --out": ["--bounds", "bounds.npy", "--shafts", "shafts.npy"],
         "none.npy: cannot be read: No such file": ["--bounds", "none.npy", "--shafts", "shafts.npy", *out],
         "torn.npy: is cut short": ["--bounds", "torn.npy", "--shafts", "shafts.npy", *out],
-        "doubles.npy: holds numbers of NumPy's type <f8": ["--bounds", "doubles.npy", "--shafts", "shafts.npy", *out],
+        "halves.npy: holds numbers of NumPy's type <f2": ["--bounds", "halves.npy", "--shafts", "shafts.npy", *out],
+        "far.npy: is (5, 9) of float64; only shafts of two boxes may be": [
+            "--bounds", "bounds.npy", "--shafts", "far.npy", "--kinds", "swept", *out],
+        "--origin 0,nan,0: give finite numbers": [
+            "--bounds", "bounds.npy", "--shafts", "shafts.npy", "--origin", "0,nan,0", *out],
         "shafts.npy: is (500, 12) of float32; bounds are rows": ["--bounds", "shafts.npy", "--shafts", "shafts.npy", *out],
         "bounds.npy: is (500, 6) of float32; shafts": ["--bounds", "bounds.npy", "--shafts", "bounds.npy", *out],
         "wrong.npy: row 321: ": ["--bounds", "bounds.npy", "--shafts", "wrong.npy", *out, "--block", "20"],
@@ -414,7 +491,7 @@ def model():
     assert given.blocks == 25 and len(times["answer"]) == 25
 
 
-cases = {"model": model, "numpy": against_numpy, "ranks": on_ranks, "killed": killed, "errors": errors,
+cases = {"model": model, "numpy": against_numpy, "doubles": of_doubles, "ranks": on_ranks, "killed": killed, "errors": errors,
          "trees": trees, "memory": memory, **sees_cases}
 if case in ("ranks", *sees_cases) and not can_launch():
     print("skipped: no mpirun that starts ranks")
