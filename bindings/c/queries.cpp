@@ -333,7 +333,7 @@ shaftcull_status shaftcull_occluded_by(const shaftcull_shafts* shafts, uint64_t 
     uint32_t& out = given(occluded, "occluded");
     if (count == 2) {
       (void)given(corners, "corners");
-      const Box solid{as_vector(corners, "corners"), as_vector(corners + 3, "corners")};
+      const shaftcull::Box solid{as_vector(corners, "corners"), as_vector(corners + 3, "corners")};
       out = shaftcull::occluded(asked, solid) ? 1 : 0;
     } else {
       out = shaftcull::occluded(asked, as_vectors(corners, count, "corners")) ? 1 : 0;

@@ -73,7 +73,7 @@ TEST(BatchArrayFile, WhatIsNoArrayOfRowsIsRefusedByName) {
   const std::string path = folder.path("a.npy");
   const auto with = [&](const std::string& dictionary, std::size_t bytes = 64) {
     write_file(path, npy_header(dictionary) + std::string(bytes, '\0'));
-    const std::string why = refusal(path);
+    std::string why = refusal(path);
     EXPECT_THAT(why, testing::StartsWith(path + ": "));
     return why;
   };
