@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "city.hpp"
+#include "crowd.hpp"
 #include "instruction_set.hpp"
 #include "interrupt.hpp"
 #include "moving_scene.hpp"
@@ -39,7 +40,6 @@ struct DemoOptions {
   InstructionSet isa;
 };
 
-constexpr double frames_per_second = 30;
 /// Each scene is shown with its bounds in streams, which are scanned, in a tree, and in two.
 constexpr int ways = 3;
 /// Rooms whose patches are asked what they see.
@@ -203,6 +203,7 @@ void add_row(Table& table, const MovingScene& scene, const SceneResult& result, 
 
 std::unique_ptr<MovingScene> make_scene(std::string_view name, std::size_t bounds) {
   if (name == "city") return std::make_unique<City>(bounds > 0 ? bounds : City::full_size);
+  if (name == "crowd") return std::make_unique<Crowd>(bounds > 0 ? bounds : Crowd::full_size);
   return std::make_unique<Sphereflake>(bounds > 0 ? bounds : Sphereflake::full_size);
 }
 
@@ -244,7 +245,9 @@ void print_table(const Table& table) {
       "tests/s: bounds x shafts per second of cull, answered if not tested. kept: what the shafts do not cull.\n"
       "bounds in streams are all tested; in a tree, only those near the shafts (and moving refits its nodes).\n"
       "Of 2 trees one is asked while the other moves on to the next frame: both parts of a frame run at the same time, "
-      "and answers come one frame later.\n");
+      "and answers come one frame later.\n"
+      "In the crowd, 1 % of the bodies go, 1 % come, and 1 % move in each frame: its tree is a dynamic one, and the "
+      "second is a snapshot of it.\n");
 }
 
 /// Tells which patches of some rooms see each other.
@@ -271,8 +274,8 @@ void run(const DemoOptions& options) {
   Table table({"scene", "frames", "bounds", "shafts", "ms/frame", "worst", "move", "cull", "tests/s", "kept/frame",
                "kept", "isa", "threads", "bounds in"});
   Console console;
-  for (const std::string_view name : {"sphereflake", "city"}) {
-    if (options.scene != "all" && options.scene != "both" && options.scene != name) continue;
+  for (const std::string_view name : {"sphereflake", "city", "crowd"}) {
+    if (options.scene != "all" && options.scene != name) continue;
     const auto begin = std::chrono::steady_clock::now();
     const auto scene = make_scene(name, options.bounds);
     console.progress.milestone(fmt::format("{}: {} bounds, {} of them moving, and {} shafts; made in {:.1f} s", name,
@@ -298,11 +301,11 @@ void add_demo(CLI::App& program) {
   const auto options = std::make_shared<DemoOptions>();
   CLI::App& demo = *program.add_subcommand(
       "demo", "Move millions of bounds and cull them, frame by frame; and tell what sees what in some rooms");
-  demo.add_option("--scene", options->scene, "sphereflake, city, both of them, rooms, or all (default: all)")
-      ->check(CLI::IsMember({"sphereflake", "city", "both", "rooms", "all"}))
+  demo.add_option("--scene", options->scene, "sphereflake, city, crowd, rooms, or all (default: all)")
+      ->check(CLI::IsMember({"sphereflake", "city", "crowd", "rooms", "all"}))
       ->type_name("SCENE");
   add_number(demo, "--bounds", options->bounds, 1, 100'000'000,
-             "Bounds in a scene (default: 5,380,840 spheres and 1,000,000 boxes); one room a thousand, 9 at most")
+             "Bounds in a scene (default: 5,380,840 spheres, or 1,000,000 boxes); a room for each thousand, 9 at most")
       ->type_name("N");
   add_number(demo, "--shafts", options->shafts, 1, 100'000, "Shafts (default: 64)")->type_name("N");
   CLI::Option* frames = add_number(demo, "--frames", options->frames, 1, 1'000'000,

@@ -12,6 +12,9 @@
 
 namespace shaftcull::cli {
 
+/// How often a scene moves in a second of its time.
+inline constexpr double frames_per_second = 30;
+
 /// Times are in seconds since the scene began. Calls belong inside Workers::run().
 class MovingScene {
  public:

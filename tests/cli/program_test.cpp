@@ -98,11 +98,11 @@ TEST(CliDraw, SurroundsTheShaftWithOutside) {
   EXPECT_EQ(picture.back(), std::string(40, '.'));
 }
 
-TEST(CliDemo, PrintsATableOfBothScenes) {
+TEST(CliDemo, PrintsATableOfAllScenes) {
   const Outcome outcome =
       run_program({"demo", "--bounds", "5000", "--frames", "3", "--shafts", "8", "--isa", "scalar"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
-  for (const char* scene : {"sphereflake", "city"}) {
+  for (const char* scene : {"sphereflake", "city", "crowd"}) {
     const auto words = words_after(outcome.out, scene);
     EXPECT_EQ(words[0], "3");
     EXPECT_EQ(words[1], "5,000");
