@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 # The steps of ./cmake/run test --ci and --all, each of them a command of ./cmake/run. Sourced by cmake/run.
 
-# Those of --ci are begun in this order, three at a time, since each has parts that keep no processor busy. The page comes last, as
-# its tests ask the program that the first of them builds.
+# Those of --ci are begun in this order, three at a time, since each has parts that keep no processor busy. The first is the longest,
+# and goes before the others where processors are few. The page comes last, as its tests ask the program that the first of them builds.
 ci_steps=(
   "test --layer ci"
   "format --check"
@@ -36,7 +36,7 @@ all_steps=(
   "bare ./cmake/run demo && ./cmake/run test"
 )
 
-# run_step STEP: ./cmake/run with the words of the step. Its output goes to a file, and from there to the standard output when the
+# run_step STEP [COMMAND…]: ./cmake/run with the words of the step, started by the command. Its output goes to a file, and from there to the standard output when the
 # step has ended, so that outputs of two steps do not mix; what it installs is announced at once. Adds a line to the table of steps.
 run_step() {
   local start=$SECONDS status=0 result=passed words log first=() spent TIMEFORMAT='%0U %0S'
@@ -45,7 +45,7 @@ run_step() {
   if [[ ! $may_install ]]; then first=(--no-install); fi
   log=$(mktemp)
   echo "begins: ./cmake/run $1"
-  { time SHAFTCULL_STEP=yes "$root/cmake/run" "${first[@]}" "${words[@]}" 3>&1 </dev/null >"$log" 2>&1; } 2>"$log.time" || status=$?
+  { time SHAFTCULL_STEP=yes "${@:2}" "$root/cmake/run" "${first[@]}" "${words[@]}" 3>&1 </dev/null >"$log" 2>&1; } 2>"$log.time" || status=$?
   read -ra spent <"$log.time"
   case $status in
     0) ;;
@@ -92,7 +92,7 @@ check_ci() {
       until [[ $failed || -x $root/build/release/bin/shaftcull || $(jobs -rp | wc -l) -eq 0 ]]; do wait -n || failed=yes; done
     fi
     [[ ! $failed ]] || break
-    run_step "$step" &
+    run_step "$step" $([[ $step == "${ci_steps[0]}" ]] || echo nice -n 5) &
   done
   while [[ $(jobs -p | wc -l) -gt 0 ]]; do wait -n || failed=yes; done
   [[ ! $failed ]]
