@@ -1083,6 +1083,16 @@ SHAFTCULL_API shaftcull_status shaftcull_visible_fractions(const shaftcull_patch
                                                            const shaftcull_undecided_pairs* pairs,
                                                            const shaftcull_ray_options* options, float* fractions);
 
+/// Writes for each patch and each light the lit fraction, from 0 to 1: the share of the patch from which no occluder
+/// hides the light (lit_fractions() in rays.hpp). `directions` has 3 floats for each of `direction_count` lights that
+/// are infinitely far away, such as the sun, and points to them. fractions[i * direction_count + j] is of patch i and
+/// light j. `options` may be NULL. Refuses a direction that is 0 or not finite, options out of range, and patches that
+/// are boxes with an interior. In parallel over patches; allocates. The same bits on every machine.
+SHAFTCULL_API shaftcull_status shaftcull_lit_fractions(const shaftcull_patches* patches,
+                                                       const shaftcull_occluders* occluders, const float* directions,
+                                                       uint64_t direction_count, const shaftcull_ray_options* options,
+                                                       float* fractions);
+
 /// The options of view factors (ViewFactorOptions of view_factors.hpp).
 typedef struct shaftcull_view_factor_options {
   uint64_t memory;                      /* bytes for answers under way, 1 MB or more; not for the matrix */
@@ -1141,11 +1151,9 @@ SHAFTCULL_API shaftcull_status shaftcull_factor_matrix_describe(const shaftcull_
 /* ---- Instruction sets ---- */
 
 /// The name of an instruction set for which this build has kernels and that this machine can run, for example "avx2".
-/// They are numbered from 0 on, slowest first; beyond the last one the name is NULL. Valid for ever. O(1); allocates.
+/// They are numbered from 0 on, slowest first; beyond the last one the name is NULL. SHAFTCULL_NONE for `position`
+/// gives the name of the set that calls use from now on, in every thread. Valid for ever. O(1); allocates.
 SHAFTCULL_API shaftcull_status shaftcull_isa_name(uint64_t position, const char** name);
-
-/// The name of the instruction set that calls use from now on, in every thread. Valid for ever. Never fails.
-SHAFTCULL_API const char* shaftcull_active_isa(void);
 
 /// Uses an instruction set from now on, in every thread, by its name in upper or lower case. Safe at any time.
 /// Overrides the environment variable SHAFTCULL_ISA. Answers do not depend on it. Refuses a name that is not available,

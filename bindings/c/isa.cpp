@@ -23,12 +23,14 @@ extern "C" {
 shaftcull_status shaftcull_isa_name(uint64_t position, const char** name) {
   return guarded([&] {
     const char*& out = given(name, "name");
+    if (position == SHAFTCULL_NONE) {
+      out = text(shaftcull::active_isa());
+      return;
+    }
     const std::vector<Isa> available = shaftcull::available_isas();
     out = position < available.size() ? text(available[static_cast<std::size_t>(position)]) : nullptr;
   });
 }
-
-const char* shaftcull_active_isa() { return text(shaftcull::active_isa()); }
 
 shaftcull_status shaftcull_select_isa(const char* name) {
   return guarded([&] {

@@ -89,6 +89,18 @@ shaftcull_status shaftcull_visible_fractions(const shaftcull_patches* a, const s
   });
 }
 
+shaftcull_status shaftcull_lit_fractions(const shaftcull_patches* patches, const shaftcull_occluders* occluders,
+                                         const float* directions, uint64_t direction_count,
+                                         const shaftcull_ray_options* options, float* fractions) {
+  return guarded([&] {
+    const PatchSet& set = given(patches, "patches").set;
+    const Occluders& all = given(occluders, "occluders").all;
+    const std::vector<shaftcull::Vec3> lights = as_vectors(directions, direction_count, "directions");
+    const std::span<float> out = as_span(fractions, set.size() * lights.size(), "fractions");
+    shaftcull::lit_fractions(set, all, lights, out, as_ray_options(options));
+  });
+}
+
 shaftcull_status shaftcull_view_factors(const shaftcull_patches* patches, const shaftcull_occluders* occluders,
                                         const shaftcull_view_factor_options* options,
                                         shaftcull_factor_matrix** matrix) {

@@ -1517,6 +1517,20 @@ static void rays_and_view_factors(void) {
   REFUSED(shaftcull_visible_fractions(walls, NULL, NULL, &pairs, NULL, &fraction), "occluders is NULL");
   REFUSED(shaftcull_visible_fractions(walls, NULL, occluders, NULL, NULL, &fraction), "pairs is NULL");
   REFUSED(shaftcull_visible_fractions(walls, NULL, occluders, &pairs, NULL, NULL), "fractions is NULL");
+
+  static const float lights[6] = {0, 0, 1, 0, 0, -1};
+  float lit[12] = {-1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1};
+  OK(shaftcull_lit_fractions(walls, occluders, lights, 2, NULL, lit));
+  CHECK(lit[0] >= 0 && lit[0] <= 1 && lit[1] == 0);
+  OK(shaftcull_lit_fractions(walls, occluders, NULL, 0, NULL, NULL));
+  static const float no_light[3] = {0, 0, 0};
+  REFUSED(shaftcull_lit_fractions(walls, occluders, no_light, 1, NULL, lit), "direction");
+  REFUSED(shaftcull_lit_fractions(walls, occluders, lights, 2, &rays, lit), "rays");
+  REFUSED(shaftcull_lit_fractions(NULL, occluders, lights, 2, NULL, lit), "patches is NULL");
+  REFUSED(shaftcull_lit_fractions(walls, NULL, lights, 2, NULL, lit), "occluders is NULL");
+  REFUSED(shaftcull_lit_fractions(walls, occluders, NULL, 2, NULL, lit), "directions is NULL");
+  REFUSED(shaftcull_lit_fractions(walls, occluders, lights, 2, NULL, NULL), "fractions is NULL");
+
   pairs.candidates = candidates + 1;
   REFUSED(shaftcull_visible_fractions(walls, NULL, occluders, &pairs, NULL, &fraction), "candidate 1");
   pairs.candidates = NULL;
@@ -1538,10 +1552,12 @@ static void instruction_sets(void) {
     OK(shaftcull_isa_name(count, &name));
     if (name == NULL) break;
     OK(shaftcull_select_isa(name));
-    CHECK(strcmp(shaftcull_active_isa(), name) == 0);
+    const char* active = NULL;
+    OK(shaftcull_isa_name(SHAFTCULL_NONE, &active));
+    CHECK(strcmp(active, name) == 0);
   }
   CHECK(count >= 1);
-  OK(shaftcull_isa_name(UINT64_MAX, &name));
+  OK(shaftcull_isa_name(UINT64_MAX - 1, &name));
   CHECK(name == NULL);
   REFUSED(shaftcull_isa_name(0, NULL), "name is NULL");
   REFUSED(shaftcull_select_isa("mmx"), "\"mmx\" is no instruction set; this machine has scalar");

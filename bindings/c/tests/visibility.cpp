@@ -388,6 +388,14 @@ TEST(CVisibility, FractionsAndViewFactorsAreThoseOfCpp) {
   ok(shaftcull_visible_fractions(c.get(), nullptr, occluders.get(), &batch.undecided, &rays, fractions.data()));
   EXPECT_EQ(fractions, wanted);
 
+  const std::vector<Vec3> suns{{1, 0.2F, 0.1F}, {-1, -0.3F, 0.2F}, {0.5F, 1, 0}};
+  std::vector<float> lit(24 * suns.size());
+  lit_fractions(cpp, occluders_cpp, suns, lit, {.rays = 32, .error = 0.01, .seed = 7, .tolerance = 0.01F});
+  std::vector<float> c_lit(lit.size());
+  ok(shaftcull_lit_fractions(c.get(), occluders.get(), suns[0].data(), suns.size(), &rays, c_lit.data()));
+  EXPECT_EQ(c_lit, lit);
+  EXPECT_TRUE(std::ranges::any_of(lit, [](float part) { return part > 0 && part < 1; }));
+
   const ViewFactorOptions cpp_options{
       .rays = 256, .error = 1e-4, .seed = 9, .least = 1e-4, .tolerance = 0.01F, .progress = {}};
   shaftcull_view_factor_options options = shaftcull_default_view_factor_options();

@@ -8,7 +8,7 @@ import {Module} from './module.js';
 import {Origin} from './origin.js';
 import * as shafts from './shafts.js';
 import {viewFactor, viewFactors} from './view_factors.js';
-import {countVisibility, visibility} from './visibility.js';
+import {countVisibility, litFractions, visibility} from './visibility.js';
 
 export {ShaftcullError} from './error.js';
 
@@ -44,7 +44,7 @@ class Shaftcull {
   }
 
   get instructionSet() {
-    return this.#module.text(this.#module.call('shaftcull_active_isa'));
+    return isaName(this.#module, -1n);
   }
 
   set instructionSet(name) {
@@ -169,6 +169,10 @@ class Shaftcull {
     return viewFactors(this.#module, scene);
   }
 
+  litFractions(scene) {
+    return litFractions(this.#module, scene);
+  }
+
   countVisibility(scene) {
     return countVisibility(this.#module, scene);
   }
@@ -178,15 +182,21 @@ class Shaftcull {
   }
 }
 
-function instructionSets(module) {
+/** The name of the set at a position, or undefined beyond the last one; at −1 of the one in use. */
+function isaName(module, position) {
   return module.scratch((scratch) => {
-    const names = [];
     const out = scratch.zeros(4);
-    for (;;) {
-      module.call('shaftcull_isa_name', BigInt(names.length), out);
-      const name = module.word(out);
-      if (name === 0) return names;
-      names.push(module.text(name));
-    }
+    module.call('shaftcull_isa_name', position, out);
+    const name = module.word(out);
+    return name === 0 ? undefined : module.text(name);
   });
+}
+
+function instructionSets(module) {
+  const names = [];
+  for (;;) {
+    const name = isaName(module, BigInt(names.length));
+    if (name === undefined) return names;
+    names.push(name);
+  }
 }

@@ -143,6 +143,21 @@ function fractionsOf(module, scratch, {a, b, occluders}, undecided, scene) {
   return module.floats(fractions, count);
 }
 
+export function litFractions(module, scene) {
+  const names = ['lights', 'findSolids', ...rayOptions, 'tolerance'];
+  return withScene(module, scene, names, ({a, b, occluders}, make, scratch) => {
+    if (b !== 0) throw new TypeError('lit fractions are those of one set: there is no second one');
+    const lights = asFloats(scene.lights, 3, 'lights');
+    const {rays = 64, error = 0, seed = 1, tolerance = 0} = asOptions(scene);
+    const options = scratch.struct('ray_options', {rays, error, seed, tolerance});
+    const {count} = scratch.described('patches_info', 'shaftcull_patches_describe', a);
+    const fractions = scratch.zeros(4 * count * (lights.length / 3));
+    const given = [scratch.copy(lights), BigInt(lights.length / 3)];
+    module.call('shaftcull_lit_fractions', a, occluders, ...given, options, fractions);
+    return module.floats(fractions, count * (lights.length / 3));
+  });
+}
+
 export function countVisibility(module, scene) {
   return withScene(module, scene, countOptions, ({a, b, occluders}, make, scratch) =>
     scratch.described('sight_counts', 'shaftcull_visibility', a, b, occluders, sightOptions(scratch, scene), 0, 0));

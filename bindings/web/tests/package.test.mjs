@@ -1041,6 +1041,24 @@ describe('visibility', () => {
     assert.throws(() => shaftcull.countVisibility({...scene, rays: 16}), /no option 'rays'/);
   });
 
+  test('of lights far away says how much of each patch is lit', () => {
+    const floor = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]].flat();
+    const beside = floor.map((x, i) => (i % 3 === 0 ? x + 5 : x));
+    const scene = {corners: [floor, beside], solids: [-1, -1, 2, 0.5, 2, 3], lights: [0, 0, 1, 0, 0, -1]};
+    const lit = shaftcull.litFractions({...scene, rays: 1024});
+    assert.equal(lit.length, 4);
+    assert(Math.abs(lit[0] - 0.5) < 0.01, 'half is in the shadow');
+    assert.deepEqual([...lit.subarray(1)], [0, 1, 0]);
+    assert.deepEqual(shaftcull.litFractions({...scene, rays: 1024, seed: 1, tolerance: 0}), lit);
+    const both = shaftcull.litFractions({...scene, sides: 'both'});
+    assert(both[1] === 1 && both[3] === 1, 'from below');
+    assert.equal(shaftcull.litFractions({...scene, lights: []}).length, 0);
+    assert.throws(() => shaftcull.litFractions({...scene, lights: [0, 0, 0]}), ShaftcullError);
+    assert.throws(() => shaftcull.litFractions({corners: [floor]}), /lights/);
+    assert.throws(() => shaftcull.litFractions({...scene, patchesB: row(0, 1)}), /one set/);
+    assert.throws(() => shaftcull.litFractions({...scene, rays: 0}), ShaftcullError);
+  });
+
   test('of one set with itself has each pair once', () => {
     const seen = shaftcull.visibility({patches: row(0, 20)});
     assert.equal(seen.counts.clear, 190);
