@@ -31,7 +31,8 @@ class Random {
   }
   /// A finite float of any sign and a binary exponent from low (−149: denormals) to high (127: up to 3.4e38).
   float wild(int low = -149, int high = 127) {
-    const float magnitude = std::ldexp(uniform(1.0F, 2.0F), static_cast<int>(integer(low, high)));
+    const auto exponent = static_cast<int>(integer(low, high));  // first, whatever the order of arguments
+    const float magnitude = std::ldexp(uniform(1.0F, 2.0F), exponent);
     const float finite = std::min(magnitude, largest_float);
     return one_in(2) ? finite : -finite;
   }

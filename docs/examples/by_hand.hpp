@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <ctime>
 #include <numeric>
 #include <shaftcull/shaftcull.hpp>
 #include <span>
@@ -197,16 +197,19 @@ class Random {
   std::uint32_t seed_ = 1;
 };
 
-/// Microseconds of the processor that work() takes: the least of some turns.
+/// Microseconds that work() takes: the least of some turns.
 template <class Work>
 double microseconds(const Work& work) {
   double least = 1e30;
   for (int turn = 0; turn != 9; ++turn) {
-    const std::clock_t begin = std::clock();
+    const auto begin = std::chrono::steady_clock::now();
+    std::chrono::duration<double, std::micro> taken{};
     int times = 0;
-    while (std::clock() - begin < CLOCKS_PER_SEC / 50) work(), ++times;
-    least = std::min(least,
-                     static_cast<double>(std::clock() - begin) * 1e6 / CLOCKS_PER_SEC / times);
+    while (taken.count() < 20000) {
+      work(), ++times;
+      taken = std::chrono::steady_clock::now() - begin;
+    }
+    least = std::min(least, taken.count() / times);
   }
   return least;
 }

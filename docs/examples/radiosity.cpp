@@ -54,7 +54,7 @@ struct Scene {
 // patch, or lies on its wall, is none. Shafts are formed by the hundred.
 std::size_t with_shafts(const Scene& scene, const sc::BoxStream& patches,
                         const sc::Bounds& objects, std::span<std::uint32_t> kept) {
-  std::array<sc::CompiledShaft, 128> shafts;
+  std::vector<sc::CompiledShaft> shafts(128);
   std::size_t candidates = 0;
   for (std::size_t done = 0; done != scene.pairs.size();) {
     const auto now =

@@ -1,9 +1,9 @@
 // A character slides along walls and floors: it moves up to what it hits, and goes on with the
 // rest of its way, without what would go into that.
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <cstdio>
-#include <ctime>
 #include <shaftcull/shaftcull.hpp>
 #include <vector>
 
@@ -63,20 +63,20 @@ void time_frames() {
     crowd.push_back({{400 * random(), 5, 400 * random()}, {0.25F, 0.75F, 0.25F}});
   }
   constexpr int frames = 2000;
-  const std::clock_t begin = std::clock();
+  const auto begin = std::chrono::steady_clock::now();
   for (int frame = 0; frame != frames; ++frame) {
     for (Character& character : crowd) {
       slide(character, {0.2F * random() - 0.1F, -0.1F, 0.2F * random() - 0.1F}, tree);
     }
   }
-  const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   int stuck = 0;
   for (const Character& character : crowd) {
     const sc::Box box = character.box();
     stuck += sc::any(sc::compile(box, box, sc::Contact::open), tree) ? 1 : 0;
   }
   std::printf("%.2f microseconds per character and frame, %d overlap a box\n",
-              seconds * 1e6 / frames / 64, stuck);
+              seconds.count() * 1e6 / frames / 64, stuck);
 }
 
 }  // namespace

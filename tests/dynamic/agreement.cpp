@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "caught.hpp"
 #include "dynamic/world.hpp"
 #include "float_modes.hpp"
 #include "instruction_sets.hpp"

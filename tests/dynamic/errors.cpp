@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "caught.hpp"
 #include "dynamic/world.hpp"
 #include "float_modes.hpp"
 #include "message_of.hpp"
@@ -100,12 +101,9 @@ TYPED_TEST(DynamicErrors, BadBoundsAreNamed) {
     bounds[1].radius = -1;
   }
   std::vector<BoundId> ids(3);
-  try {
-    tree.insert(bounds, ids);
-    ADD_FAILURE() << "a bad bound was inserted";
-  } catch (const BadBound& error) {
-    EXPECT_EQ(error.index(), 1U);
-  }
+  const auto inserting = caught<BadBound>([&] { tree.insert(bounds, ids); });
+  ASSERT_TRUE(inserting) << "a bad bound was inserted";
+  EXPECT_EQ(inserting->index(), 1U);
   EXPECT_THROW(tree.insert(bounds[1]), BadBound);
   const BoundId id = this->world_.model.ids[this->some(true)];
   EXPECT_THROW(tree.move(id, bounds[1]), BadBound);
@@ -120,12 +118,10 @@ TYPED_TEST(DynamicErrors, BadBoundsAreNamed) {
   this->world_.model.insert(one, bounds[0], all_layers);
   const std::vector<BoundId> both = {far, one};
   tree.move_by(both, std::vector<Vec3>(2, Vec3{2e38F, 0, 0}));
-  try {
-    tree.move_by(both, std::vector<Vec3>{{0, 0, 0}, {2e38F, 0, 0}});
-    ADD_FAILURE() << "a bound was moved to infinity";
-  } catch (const BadBound& error) {
-    EXPECT_EQ(error.index(), 1U);
-  }
+  const std::vector<Vec3> too_far{{0, 0, 0}, {2e38F, 0, 0}};
+  const auto moving = caught<BadBound>([&] { tree.move_by(both, too_far); });
+  ASSERT_TRUE(moving) << "a bound was moved to infinity";
+  EXPECT_EQ(moving->index(), 1U);
   for (const BoundId& each : both) this->world_.model.bounds[each.index] = tree[each];
 }
 

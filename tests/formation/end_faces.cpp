@@ -88,6 +88,7 @@ TEST(EndFaces, AreTheLastFloatsWithin) {
 
 TEST(EndFaces, OfDisplacedBoxesAreTheSame) {
   Random random(3902);
+  int infinite = 0;
   for (int i = 0; i != 50'000; ++i) {
     Body body;
     for (unsigned f = 0; f != 6; ++f) {
@@ -96,13 +97,17 @@ TEST(EndFaces, OfDisplacedBoxesAreTheSame) {
     }
     const MovingFaces faces = body.faces();
     const DisplacedFaces ends(body.start, body.minuend);
-    ASSERT_TRUE(ends.are_finite);
+    if (!ends.are_finite) {  // two of the largest floats
+      ++infinite;
+      continue;
+    }
     for (unsigned f = 0; f != 6; ++f) {
       EXPECT_EQ(ends.nearest[f], EndFaces(faces).nearest[f]);
       if (faces.is_blue(f)) expect_last_within(faces, f, ends.within[f]);
     }
     ASSERT_FALSE(HasFailure()) << "case " << i;
   }
+  EXPECT_LT(infinite, 50);
 }
 
 TEST(EndFaces, BeyondTheLargestFloatAreTheLargestFloat) {

@@ -111,7 +111,7 @@ class RandomMesh {
         const auto at_y = static_cast<float>(y);
         std::vector<Vec3> square{
             {at_x, at_y, height}, {at_x + 1, at_y, height}, {at_x + 1, at_y + 1, height}, {at_x, at_y + 1, height}};
-        std::rotate(square.begin(), square.begin() + random_.below(4), square.end());
+        std::rotate(square.begin(), square.begin() + static_cast<std::ptrdiff_t>(random_.below(4)), square.end());
         to.add(square);
       }
     }
