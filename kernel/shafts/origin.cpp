@@ -107,9 +107,22 @@ Sphere sphere_around(const WorldSphere& sphere, const WorldVec3& origin) noexcep
   return result;
 }
 
+/// The float nearest to x − origin. A difference that is no double lies between two, and the odd one of these is taken:
+/// it is never in the middle of two floats, so rounding it is rounding the difference.
+///
+/// S. Boldo and G. Melquiond, "Emulation of FMA and Correctly Rounded Sums: Proved Algorithms Using Rounding to Odd",
+/// IEEE Transactions on Computers 57(4), 2008.
+float nearest_difference(double x, double origin) noexcept {
+  constexpr double most = std::numeric_limits<double>::infinity();
+  const TwoTerms exact = two_sum(x, -origin);
+  const bool is_even = std::bit_cast<std::uint64_t>(exact.sum) % 2 == 0;
+  if (exact.error == 0 || !is_even) return nearest_float(exact.sum);
+  return nearest_float(std::nextafter(exact.sum, exact.error > 0 ? most : -most));
+}
+
 Vec3 nearest_point(const WorldVec3& point, const WorldVec3& origin) noexcept {
   Vec3 result;
-  for (std::size_t k = 0; k != 3; ++k) result[k] = nearest_float(point[k] - origin[k]);
+  for (std::size_t k = 0; k != 3; ++k) result[k] = nearest_difference(point[k], origin[k]);
   return result;
 }
 

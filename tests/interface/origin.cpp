@@ -267,6 +267,15 @@ TEST(Origin, PointsAreRoundedToNearestAndComeBack) {
   EXPECT_EQ(origin.to_world({0, 0, 0}), origin.at());
 }
 
+// Differences that are no doubles lie beside the middle of two floats, and not on it.
+TEST(Origin, PointsAreRoundedOnce) {
+  const double little = 0x1p-80;
+  const Vec3 above = Origin({-little, -little, -little}).nearest({1 + 0x1p-24, 1 + 0x3p-24, -1 - 0x3p-24});
+  EXPECT_EQ(above, (Vec3{1 + 0x1p-23F, 1 + 0x1p-22F, -1 - 0x1p-23F}));
+  const Vec3 below = Origin({little, little, little}).nearest({1 + 0x1p-24, 1 + 0x3p-24, -1 - 0x1p-24});
+  EXPECT_EQ(below, (Vec3{1, 1 + 0x1p-23F, -1 - 0x1p-23F}));
+}
+
 TEST(Origin, NearIsInTheMiddleAndRound) {
   RandomWorld world(4);
   for (std::uint64_t i = 0; i != random_cases(2000); ++i) {
