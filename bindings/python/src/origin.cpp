@@ -2,6 +2,8 @@
 /// The class Origin: bounds of a world in doubles, relative to a point of it.
 #include "shaftcull/origin.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <span>
 #include <string>
 #include <vector>
@@ -55,8 +57,9 @@ Origin origin_near(const py::object& given) {
   for (py::ssize_t i = 0; i != array.size(); ++i) {
     const auto axis = static_cast<std::size_t>(i % 3);
     const double number = array.data()[i];
-    if (!(number >= world.lo[axis])) world.lo[axis] = number;  // NaN, too, which is refused below
-    if (!(number <= world.hi[axis])) world.hi[axis] = number;
+    if (!std::isfinite(number)) throw py::value_error("points: point " + std::to_string(i / 3) + " is not finite");
+    world.lo[axis] = std::min(world.lo[axis], number);
+    world.hi[axis] = std::max(world.hi[axis], number);
   }
   return Origin::near(world);
 }

@@ -518,6 +518,8 @@ def test_an_origin_makes_bounds_that_contain_what_they_are_given():
         (lambda: origin.to_world(boxes.astype(np.float32)), r"\(n, 3\)"),
         (lambda: sc.Origin.near(np.empty((0, 3))), "points is empty"),
         (lambda: sc.Origin.near([[0, 0, np.nan]]), "not finite"),
+        (lambda: sc.Origin.near([[0, 0, np.nan], [1, 1, 1]]), "not finite"),
+        (lambda: sc.Origin.near([[0, 0, 0], [1, np.inf, 1], [2, 2, 2]]), "not finite"),
     ]:
         with pytest.raises(ValueError, match=error):
             wrong()
