@@ -36,8 +36,9 @@ all_steps=(
   "bare ./cmake/run demo && ./cmake/run test"
 )
 
-# run_step STEP [COMMAND…]: ./cmake/run with the words of the step, started by the command. Its output goes to a file, and from there to the standard output when the
-# step has ended, so that outputs of two steps do not mix; what it installs is announced at once. Adds a line to the table of steps.
+# run_step STEP [COMMAND…]: ./cmake/run with the words of the step, started by the command. Its output goes to a file, and from there
+# to the standard output when the step has ended, so that outputs of two steps do not mix; what it installs is announced at once.
+# Adds a line to the table of steps.
 run_step() {
   local start=$SECONDS status=0 result=passed words log first=() spent TIMEFORMAT='%0U %0S'
   read -ra words <<<"$1"

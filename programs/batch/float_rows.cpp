@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "batch/float_rows.hpp"
 
-#include <algorithm>
 #include <cstring>
 
 namespace shaftcull::batch {
