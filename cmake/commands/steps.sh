@@ -2,7 +2,7 @@
 # The steps of ./cmake/run test --ci and --all, each of them a command of ./cmake/run. Sourced by cmake/run.
 
 # Those of --ci are begun in this order, three at a time, since each has parts that keep no processor busy. The first is the longest,
-# and goes before the others where processors are few. The page comes last, as its tests ask the program that the first of them builds.
+# and goes before the others where processors are few. The tests of the page ask the program that the first of them builds.
 ci_steps=(
   "test --layer ci"
   "format --check"
@@ -10,8 +10,8 @@ ci_steps=(
   "test --preset asan --layer ci"
   "bare"
   "package --try"
-  "test --preset tsan --layer ci"
   "page --check"
+  "test --preset tsan --layer ci"
 )
 steps_at_once=3
 all_steps=(
