@@ -48,7 +48,8 @@ add_test(NAME units COMMAND ${CMAKE_COMMAND} -D KERNEL=${PROJECT_SOURCE_DIR}/ker
 if(SHAFTCULL_BASH)
   add_test(NAME first_command COMMAND ${SHAFTCULL_BASH} ${CMAKE_CURRENT_SOURCE_DIR}/first_command.sh)
   add_test(NAME check_steps COMMAND ${SHAFTCULL_BASH} ${CMAKE_CURRENT_SOURCE_DIR}/check_steps.sh)
-  set_tests_properties(first_command check_steps PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 60)
+  add_test(NAME packages.release COMMAND ${SHAFTCULL_BASH} ${CMAKE_CURRENT_SOURCE_DIR}/packages/release.sh)
+  set_tests_properties(first_command check_steps packages.release PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 60)
 endif()
 
 # The documentation site is made without a warning: every public name is documented, and no page is missing. Twenty seconds.
