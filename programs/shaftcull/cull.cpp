@@ -15,6 +15,7 @@
 #include "mesh.hpp"
 #include "name_search.hpp"
 #include "number.hpp"
+#include "origin_option.hpp"
 #include "shaft_choice.hpp"
 #include "shaftcull/shaftcull.hpp"
 #include "subcommand.hpp"
@@ -37,6 +38,7 @@ struct CullOptions {
   bool first = false;
   std::string triangles;  ///< empty: boxes around them are tested
   ShaftChoice choice;
+  OriginOption origin;
   InstructionSet isa;
 };
 
@@ -60,7 +62,7 @@ std::string names_of_ends(std::string_view wanted, const MeshScene& scene) {
   std::string text =
       fmt::format("{} {}", one ? "its object is" : "its objects are", closest_names(wanted, scene.names));
   if (scene.names.size() < fewest_objects) {
-    text += fmt::format(", {} parts, as '{}'", one ? "with its" : "each with", part_name(scene, scene.parts.front()));
+    text += fmt::format(", {} parts such as '{}'", one ? "with" : "each with", part_name(scene, scene.parts.front()));
   }
   return text;
 }
@@ -73,11 +75,13 @@ ShaftEnd end_from_option(const MeshScene& scene, const std::string& path, std::s
   for (std::uint32_t i = 0; i < scene.parts.size(); ++i) {
     if (part_name(scene, scene.parts[i]) == text) return part_end(scene, i);
   }
-  if (looks_like_box(text)) return {box_option(option, text), text};
+  if (looks_like_box(text)) {
+    const Origin origin(scene.origin);
+    return {origin == Origin() ? box_option(option, text) : origin.around(world_box_option(option, text)), text};
+  }
   throw InvalidArgument(
-      fmt::format("{} {}: {} has no object of that name; {} (or give a box, "
-                  "lo x,lo y,lo z,hi x,hi y,hi z)",
-                  option, text, path, names_of_ends(text, scene)));
+      fmt::format("{} {}: {} has no object of that name; {} (or give a box: lo x,lo y,lo z,hi x,hi y,hi z)", option,
+                  text, path, names_of_ends(text, scene)));
 }
 
 bool joins_parts(const MeshScene& scene, const CullOptions& options) {
@@ -108,8 +112,7 @@ std::vector<PairResult> random_pairs(const MeshScene& scene, const CullOptions& 
     for (int i = 0; options.choice.kind() == ShaftKind::shadow && touch(pair.from.box, pair.to.box); ++i) {
       if (i == most_draws) {
         throw InvalidArgument(
-            fmt::format("--random {}: no two {}s of {} were found that are apart, as a light and an "
-                        "occluder must be",
+            fmt::format("--random {}: found no two {}s of {} that are apart, as a light and an occluder must be",
                         options.random_pairs, parts ? "part" : "object", options.path));
       }
       pair = draw();
@@ -123,9 +126,10 @@ std::vector<PairResult> random_pairs(const MeshScene& scene, const CullOptions& 
 [[noreturn]] void ask_for_ends(const MeshScene& scene, const CullOptions& options) {
   const ShaftKind kind = options.choice.kind();
   const bool one = kind == ShaftKind::swept || kind == ShaftKind::swept_infinite;
-  const char* const question = one                         ? "what is swept? Add --from NAME"
-                               : kind == ShaftKind::shadow ? "what shadows what? Add --from LIGHT --to OCCLUDER"
-                                                           : "between what? Add --from NAME --to NAME";
+  const char* const question = one ? "no body is given; add --from NAME"
+                               : kind == ShaftKind::shadow
+                                   ? "no light and occluder are given; add --from LIGHT --to OCCLUDER"
+                                   : "no ends are given; add --from NAME --to NAME";
   throw InvalidArgument(
       fmt::format("cull {}: {}, or --random 10; {}", options.path, question, names_of_ends("", scene)));
 }
@@ -195,7 +199,7 @@ void find_candidates(const CullOptions& options, const Bounds& bounds, CullRepor
   std::vector<std::uint64_t> kept(bit_words(bounds.size()));
   std::vector<std::uint64_t> inside(kept.size());
   for (PairResult& pair : report.pairs) {
-    const FormedShaft shaft = options.choice.form(pair.from.box, pair.to.box);
+    const FormedShaft shaft = report.choice.form(pair.from.box, pair.to.box);
     classify(shaft.compiled(), bounds, kept, inside, {.triangle_test = test_of(options)});
     for (const std::size_t i : BitView(kept)) {
       if (pair.from.holds(report.bounds[i]) || pair.to.holds(report.bounds[i])) continue;
@@ -241,7 +245,7 @@ void run(const CullOptions& options) {
   CullReport report{options.path,
                     Grain::object,
                     std::string(name(active_isa())),
-                    load_mesh_isolated(options.path, {.triangles = with_triangles}),
+                    load_mesh_isolated(options.path, {.triangles = with_triangles, .origin = options.origin.value()}),
                     {},
                     {},
                     options.solid,
@@ -249,6 +253,7 @@ void run(const CullOptions& options) {
                     options.first,
                     options.choice,
                     options.triangles};
+  report.choice.set_origin(Origin(report.scene.origin));
   report.pairs = pairs_of(report.scene, options);
   report.grain = grain_of(options, report.pairs.front());
   report.bounds = bounds_of(report.scene, report.grain);
@@ -268,27 +273,28 @@ void run(const CullOptions& options) {
 void add_cull(CLI::App& program) {
   const auto options = std::make_shared<CullOptions>();
   CLI::App& cull = *program.add_subcommand(
-      "cull", "List what of a mesh file may lie between two objects, in the way of one, or in a shadow");
+      "cull", "List the objects of a mesh file that may lie between two of them, in the way of one, or in a shadow");
   CLI::Option* scene =
       cull.add_option("scene,--scene", options->path, "Mesh file, in any format that assimp reads; - is standard input")
           ->type_name("FILE");
   CLI::Option* bounds =
-      cull.add_option("--bounds", options->bounds,
-                      "What gets a bound: object, part or triangle (default: object, or part if the ends are parts)")
+      cull.add_option(
+              "--bounds", options->bounds,
+              "Items to test and list: object, part or triangle (default: object, or part if the ends are parts)")
           ->check(CLI::IsMember({"object", "part", "triangle"}))
           ->type_name("KIND");
-  CLI::Option* from = cull.add_option("--from", options->from,
-                                      "One end, body or light: a name (room, or room part 3), or lo x,lo y,lo z,hi x,"
-                                      "hi y,hi z")
-                          ->type_name("NAME|BOX");
-  CLI::Option* to = cull.add_option("--to", options->to, "The other end, or the occluder")->type_name("NAME|BOX");
+  CLI::Option* from =
+      cull.add_option("--from", options->from,
+                      "First end, body or light: a name (room, or room part 3), or lo x,lo y,lo z,hi x,hi y,hi z")
+          ->type_name("NAME|BOX");
+  CLI::Option* to = cull.add_option("--to", options->to, "Second end, or occluder")->type_name("NAME|BOX");
   to->needs(from);
   CLI::Option* random = add_number(cull, "--random", options->random_pairs, 1, 1'000'000,
-                                   "Between N random pairs instead, or of N random bodies")
+                                   "Draw N random pairs of ends, or N random bodies")
                             ->type_name("N");
   random->excludes(from)->excludes(to);
   cull.add_option("--ends", options->ends,
-                  "What --random pairs: object or part (default: part if there are fewer than 4 objects)")
+                  "Ends that --random draws: object or part (default: part if there are fewer than 4 objects)")
       ->check(CLI::IsMember({"object", "part"}))
       ->type_name("KIND")
       ->needs(random);
@@ -298,39 +304,42 @@ void add_cull(CLI::App& program) {
   cull.add_option("--format", options->format, "Output: text, json or csv (default: text)")
       ->check(CLI::IsMember({"text", "json", "csv"}))
       ->type_name("FORMAT");
-  cull.add_flag("--tree", options->tree,
-                "Put the bounds into a tree instead of scanning all of them: the same answers");
+  cull.add_flag("--tree", options->tree, "Use a tree of the bounds instead of a scan; the answers are the same");
   options->choice.add_options(cull, to);
   CLI::Option* solid =
       cull.add_flag("--solid", options->solid,
-                    "Take bounds for solid, and say which of them block: hide all of one end from the other")
+                    "Treat bounds as solid, and report which block, that is, hide all of one end from the other")
           ->excludes(cull.get_option("--swept"))
           ->excludes(cull.get_option("--shadow"));
   CLI::Option* times = cull.add_flag("--times", options->times,
-                                     "Say when the moving box of the shaft reaches each bound: 0 at its start");
-  CLI::Option* first = cull.add_flag("--first", options->first, "List only the bound that is reached first, and when");
+                                     "Report when the moving box of the shaft reaches each bound; time 0 is its start");
+  CLI::Option* first =
+      cull.add_flag("--first", options->first, "List only the bound that is reached first, and the time");
   cull.add_option("--triangles", options->triangles,
-                  "Test triangles of the mesh instead of boxes: by their vertices, or exact")
+                  "Test triangles of the mesh instead of boxes: vertices (cheaper, keeps more) or exact")
       ->check(CLI::IsMember({"vertices", "exact"}))
       ->type_name("TEST")
       ->excludes(bounds)
       ->excludes(times)
       ->excludes(first);
   options->choice.add_hull_options(cull, std::array{from, to, random, solid, times, first});
+  options->origin.add_option(cull);
   options->isa.add_option(cull);
   cull.footer(
-      "A shaft lies between two ends, unless an option says otherwise: what --from sweeps over (--swept), what --to "
-      "can\n"
-      "shadow from --from (--shadow), or a convex hull (--hull). The ends themselves are not listed. A candidate's\n"
-      "answer is \"inside\" if it is fully inside the shaft, else \"overlap\"; with --solid it is \"blocks\" if every\n"
-      "segment between the two ends passes through it. With --times it has the first time at which the moving box\n"
-      "touches it, rounded down: a share of the displacement, or a multiple of it without end; of a shadow 0 at the\n"
-      "occluder, and 1 where things are twice as far from the light.\n"
-      "Parts are triangles of one object that lie close together: the object is halved along its widest axis, and so\n"
-      "are its halves, until a part has no more than a 64th of the file's triangles.");
+      "By default, the shaft lies between two ends. With --swept, it is the volume that --from sweeps over;\n"
+      "with --shadow, the volume that --to can shadow from --from; with --hull, a convex hull. The ends\n"
+      "themselves are not listed.\n"
+      "The answer for a candidate is \"inside\" if it lies wholly inside the shaft, and otherwise \"overlap\".\n"
+      "With --solid, it is \"blocks\" if every segment between the two ends passes through the candidate.\n"
+      "With --times, each candidate has the first time at which the moving box touches it, rounded down. The\n"
+      "time is a share of the displacement, or a multiple of it with --without-end. For a shadow, it is 0 at\n"
+      "the occluder, and 1 at twice its distance from the light.\n"
+      "Parts are groups of triangles of one object that lie close together. The object is halved along its\n"
+      "widest axis, and its halves again, until no part has more than a 64th of the triangles of the file.");
   cull.callback([options, scene] {
     if (scene->count() == 0) {
-      throw InvalidArgument("cull: in what file? Give shaftcull cull FILE --from NAME --to NAME, or FILE --random 10");
+      throw InvalidArgument(
+          "cull: no file is given; use shaftcull cull FILE --from NAME --to NAME, or shaftcull cull FILE --random 10");
     }
     run(*options);
   });

@@ -2,7 +2,6 @@
 #include "cull_report.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -76,6 +75,9 @@ std::string as_text(const CullReport& report) {
   std::string text =
       fmt::format("{}: {}, {}, {}\n", printable(report.path), plural(report.scene.names.size(), "object"),
                   plural(report.bounds.size(), fmt::format("{} bound", grain_name(report.grain))), report.isa);
+  if (report.scene.origin != WorldPoint{}) {
+    text += fmt::format("computed relative to {}, where floats are finer\n", fmt::join(report.scene.origin, ", "));
+  }
   for (const PairResult& pair : report.pairs) {
     const auto inside = static_cast<std::size_t>(
         std::count_if(pair.candidates.begin(), pair.candidates.end(), [](const Candidate& c) { return c.inside; }));
@@ -89,7 +91,7 @@ std::string as_text(const CullReport& report) {
     if (report.solid) {
       const auto blocking = static_cast<std::size_t>(
           std::count_if(pair.candidates.begin(), pair.candidates.end(), [](const Candidate& c) { return c.blocks; }));
-      text += blocking == 0 ? ", none blocks"
+      text += blocking == 0 ? ", none of them blocks"
                             : fmt::format(", {} of them block{}", grouped(blocking), blocking == 1 ? "s" : "");
     }
     text += '\n';
@@ -99,8 +101,9 @@ std::string as_text(const CullReport& report) {
                                      ? ""
                                      : fmt::format(" {} {}", grain_name(report.grain), number_in_object(report, bound));
       const std::string time = report.times ? fmt::format("  from {}", candidate.time) : "";
-      text += fmt::format("  {:<7}  {}{}  [{}]{}\n", answer_name(candidate),
-                          printable(report.scene.names[bound.object]), number, to_text(bound.box), time);
+      text +=
+          fmt::format("  {:<7}  {}{}  [{}]{}\n", answer_name(candidate), printable(report.scene.names[bound.object]),
+                      number, to_text(bound.box, report.scene.origin), time);
     }
   }
   return text;
@@ -115,15 +118,12 @@ std::string as_csv(const CullReport& report) {
       const CullBound& bound = report.bounds[candidate.bound];
       text += fmt::format("{},{},{},{},{},{},{}{}\n", p, csv_cell(pair.from.label), csv_cell(pair.to.label),
                           csv_cell(report.scene.names[bound.object]), number_in_object(report, bound),
-                          answer_name(candidate), to_text(bound.box),
+                          answer_name(candidate), to_text(bound.box, report.scene.origin),
                           report.times ? fmt::format(",{}", candidate.time) : "");
     }
   }
   return text;
 }
-
-/// The number with the fewest digits that is `value` as a float: 0.1, not 0.10000000149.
-double shortest(float value) { return std::strtod(fmt::format("{}", value).c_str(), nullptr); }
 
 Json as_json(const Vec3& vector) {
   Json json = Json::array();
@@ -131,9 +131,18 @@ Json as_json(const Vec3& vector) {
   return json;
 }
 
-Json as_json(const Box& box) { return Json{{"lo", as_json(box.lo)}, {"hi", as_json(box.hi)}}; }
+/// Where the point is in the file.
+Json as_json(const Vec3& point, const WorldPoint& origin) {
+  Json json = Json::array();
+  for (std::size_t axis = 0; axis < 3; ++axis) json.push_back(shortest(point[axis]) + origin[axis]);
+  return json;
+}
 
-Json as_json(const ShaftChoice& choice) {
+Json as_json(const Box& box, const WorldPoint& origin) {
+  return Json{{"lo", as_json(box.lo, origin)}, {"hi", as_json(box.hi, origin)}};
+}
+
+Json as_json(const ShaftChoice& choice, const WorldPoint& origin) {
   Json json{{"kind", std::string(name(choice.kind()))}};
   switch (choice.kind()) {
     case ShaftKind::swept:
@@ -146,7 +155,7 @@ Json as_json(const ShaftChoice& choice) {
       json["reach"] = choice.reach() ? Json(shortest(*choice.reach())) : Json(nullptr);
       break;
     case ShaftKind::hull:
-      for (const Vec3& point : choice.points()) json["points"].push_back(as_json(point));
+      for (const Vec3& point : choice.points()) json["points"].push_back(as_json(point, origin));
       for (const Vec3& direction : choice.directions()) json["direction"] = as_json(direction);
       return json;
     case ShaftKind::between:
@@ -159,7 +168,7 @@ Json as_json(const ShaftChoice& choice) {
 Json as_json(const MeshScene& scene, const ShaftEnd& end) {
   Json json{{"object", end.object == none ? Json(nullptr) : Json(scene.names[end.object])}};
   if (end.part != none) json["part"] = scene.parts[end.part].number;
-  json["box"] = as_json(end.box);
+  json["box"] = as_json(end.box, scene.origin);
   return json;
 }
 
@@ -173,7 +182,7 @@ std::string as_json(const CullReport& report) {
       if (report.grain == Grain::part) entry["part"] = report.scene.parts[bound.part].number;
       if (report.grain == Grain::triangle) entry["triangle"] = bound.triangle;
       entry["answer"] = answer_name(candidate);
-      entry["box"] = as_json(bound.box);
+      entry["box"] = as_json(bound.box, report.scene.origin);
       if (report.times) entry["time"] = shortest(candidate.time);
       candidates.push_back(std::move(entry));
     }
@@ -192,7 +201,8 @@ std::string as_json(const CullReport& report) {
             {"objects", report.scene.names.size()},
             {"count", report.bounds.size()},
             {"isa", report.isa},
-            {"shaft", as_json(report.choice)}};
+            {"shaft", as_json(report.choice, report.scene.origin)}};
+  if (report.scene.origin != WorldPoint{}) root["origin"] = report.scene.origin;
   if (!report.triangles.empty()) root["triangles"] = report.triangles;
   root["pairs"] = std::move(pairs);
   // Names come from files: bytes that are not UTF-8 are replaced, not an error.

@@ -43,7 +43,7 @@ class Collector {
     visit(*file_.mRootNode, aiMatrix4x4{}, {});
     for (const Object& object : objects_) add_object(object);
     if (triangles_.empty())
-      throw InvalidArgument(fmt::format("{}: the file has no faces, so there is nothing to ask about", path_));
+      throw InvalidArgument(fmt::format("{}: the file has no faces, so there is nothing to test", path_));
     scene_.parts = divide_into_parts(triangles_, (triangles_.size() + usual_parts - 1) / usual_parts);
     if (reading_.triangles) scene_.triangles = std::move(triangles_);
     return std::move(scene_);
@@ -184,7 +184,7 @@ class Collector {
 
 MeshScene load_mesh(const std::string& path, const MeshReading& reading) {
   const MeshImport import(path, reading.origin);
-  // Of formats other than OBJ, coordinates are floats already.
+  // Where nothing was subtracted yet, coordinates are floats already.
   const WorldPoint origin = reading.origin.value_or(import.subtracted());
   WorldPoint left{};
   for (std::size_t k = 0; k != 3; ++k) left[k] = origin[k] - import.subtracted()[k];

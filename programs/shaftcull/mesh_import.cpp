@@ -2,11 +2,9 @@
 #include "mesh_import.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -22,6 +20,7 @@
 #include <fmt/format.h>
 #include <assimp/Importer.hpp>
 
+#include "mesh_format.hpp"
 #include "mesh_origin.hpp"
 #include "shaftcull/error.hpp"
 
@@ -57,51 +56,6 @@ std::string bytes_of(const std::string& path, const std::string& name) {
   return bytes;
 }
 
-/// The first word of a line.
-std::string_view word_of(std::string_view line) {
-  line.remove_prefix(std::min(line.find_first_not_of(" \t\r"), line.size()));
-  return line.substr(0, line.find_first_of(" \t\r"));
-}
-
-/// Whether the first line that is neither empty nor a comment is one of an OBJ file.
-bool is_obj(std::string_view bytes) {
-  constexpr std::array<std::string_view, 10> words{"v", "vn", "vt", "o", "g", "mtllib", "usemtl", "s", "f", "vp"};
-  while (!bytes.empty()) {
-    const std::size_t end = std::min(bytes.find('\n'), bytes.size());
-    const std::string_view word = word_of(bytes.substr(0, end));
-    if (!word.empty() && word.front() != '#') return std::find(words.begin(), words.end(), word) != words.end();
-    bytes.remove_prefix(std::min(end + 1, bytes.size()));
-  }
-  return false;
-}
-
-/// A header of 80 bytes, the number of triangles, and 50 bytes for each.
-bool is_binary_stl(std::string_view bytes) {
-  std::uint32_t triangles = 0;
-  if (bytes.size() < 84) return false;
-  std::memcpy(&triangles, bytes.data() + 80, sizeof triangles);
-  return bytes.size() == 84 + std::size_t{50} * triangles;
-}
-
-/// The usual ending of names of files that begin so; empty if unknown.
-std::string ending_of(std::string_view bytes) {
-  constexpr std::array<std::pair<std::string_view, const char*>, 8> beginnings{{{"glTF", "glb"},
-                                                                                {"ply", "ply"},
-                                                                                {"solid", "stl"},
-                                                                                {"OFF", "off"},
-                                                                                {"ISO-10303-21", "ifc"},
-                                                                                {"Kaydara FBX", "fbx"},
-                                                                                {"; FBX", "fbx"},
-                                                                                {"{", "gltf"}}};
-  if (is_binary_stl(bytes)) return "stl";
-  const std::string_view text = bytes.substr(std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size()));
-  for (const auto& [beginning, ending] : beginnings) {
-    if (text.starts_with(beginning)) return ending;
-  }
-  if (text.starts_with('<') && text.substr(0, 4096).find("<COLLADA") != std::string_view::npos) return "dae";
-  return is_obj(bytes) ? "obj" : "";
-}
-
 [[noreturn]] void refuse_endless_header(const std::string& name) {
   throw InvalidArgument(fmt::format("{}: the file is broken: its PLY header has no end_header line", name));
 }
@@ -122,7 +76,7 @@ void require_complete_ply_header(const std::string& path) {
 std::string refusal_of(const std::string& path, const Assimp::Importer& importer) {
   const std::string extension = std::filesystem::path(path).extension().string();
   if (extension.empty() || importer.IsExtensionSupported(extension.c_str())) {
-    return fmt::format("{}: the file is broken, or not what its name says; assimp says: {}", path,
+    return fmt::format("{}: the file is broken, or does not have the format of its name; assimp reports: {}", path,
                        importer.GetErrorString());
   }
   aiString known;
@@ -130,7 +84,7 @@ std::string refusal_of(const std::string& path, const Assimp::Importer& importer
   std::string formats = known.C_Str();
   std::erase(formats, '*');
   std::replace(formats.begin(), formats.end(), ';', ' ');
-  return fmt::format("{}: files of this kind cannot be read; convert it to one of {}", path, formats);
+  return fmt::format("{}: files of this kind cannot be read; convert the file to one of {}", path, formats);
 }
 
 /// The file system, in which one file has other contents.
@@ -148,28 +102,33 @@ class OneFileReplaced : public Assimp::DefaultIOSystem {
   std::string bytes_;
 };
 
-/// Whether the name of a file says that it is an OBJ file.
-bool is_named_obj(const std::string& path) {
+/// The ending of the name of a file, in small letters: "obj".
+std::string ending_of_name(const std::string& path) {
   std::string ending = std::filesystem::path(path).extension().string();
   for (char& letter : ending) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  return ending == ".obj";
+  return ending.empty() ? ending : ending.substr(1);
 }
 
-/// The origin of an OBJ file: the given one, or one that is chosen.
-WorldPoint origin_for(std::string_view obj, const std::optional<WorldPoint>& origin) {
-  return origin ? *origin : origin_of_obj(obj).value_or(WorldPoint{});
+/// Makes coordinates relative to the given origin, or to one that is chosen. Returns what was subtracted: 0 where
+/// floats have all digits of the file.
+WorldPoint move(std::string& bytes, std::string_view ending, const std::string& name,
+                const std::optional<WorldPoint>& origin) {
+  const std::optional<VertexPlaces> places = vertex_places(bytes, ending);
+  if (!places) return {};
+  const WorldPoint subtracted = origin ? *origin : origin_of(bytes, *places).value_or(WorldPoint{});
+  if (subtracted != WorldPoint{}) bytes = relative_to(subtracted, bytes, *places, name);
+  return subtracted;
 }
 
 /// Returns what was subtracted.
 WorldPoint read_file(Assimp::Importer& importer, const std::string& path, const std::optional<WorldPoint>& origin) {
   require_complete_ply_header(path);
   WorldPoint subtracted{};
-  if (is_named_obj(path) && origin != WorldPoint{}) {
+  const std::string ending = ending_of_name(path);
+  if (origin != WorldPoint{} && (ending == "obj" || ending == "stl" || ending == "ply")) {
     std::string bytes = bytes_of(path, path);
-    subtracted = origin_for(bytes, origin);
-    if (subtracted != WorldPoint{}) {
-      importer.SetIOHandler(new OneFileReplaced(path, obj_relative_to(bytes, subtracted, path)));  // which it owns
-    }
+    subtracted = move(bytes, ending, path, origin);
+    if (subtracted != WorldPoint{}) importer.SetIOHandler(new OneFileReplaced(path, std::move(bytes)));  // it owns that
   }
   if (importer.ReadFile(path, steps) == nullptr) throw InvalidArgument(refusal_of(path, importer));
   return subtracted;
@@ -181,17 +140,15 @@ WorldPoint read_stream(Assimp::Importer& importer, const std::string& path, cons
   const std::string ending = ending_of(bytes);
   if (ending.empty()) {
     throw InvalidArgument(
-        fmt::format("{}: does not begin as OBJ, PLY, STL, OFF, glTF, FBX, COLLADA or IFC; write it to a file whose "
-                    "name ends as its format wants, and give that",
+        fmt::format("{}: does not begin like OBJ, PLY, STL, OFF, glTF, FBX, COLLADA or IFC; write it to a file with "
+                    "the extension of its format, and give that file",
                     name));
   }
   if (ending == "ply" && bytes.find("end_header") == std::string::npos) refuse_endless_header(name);
-  WorldPoint subtracted{};
-  if (ending == "obj") subtracted = origin_for(bytes, origin);
-  if (subtracted != WorldPoint{}) bytes = obj_relative_to(bytes, subtracted, name);
+  const WorldPoint subtracted = origin == WorldPoint{} ? WorldPoint{} : move(bytes, ending, name, origin);
   if (importer.ReadFileFromMemory(bytes.data(), bytes.size(), steps, ending.c_str()) == nullptr) {
-    throw InvalidArgument(fmt::format("{}: begins as a file of format {}, and is broken; assimp says: {}", name, ending,
-                                      importer.GetErrorString()));
+    throw InvalidArgument(fmt::format("{}: begins like a file of format {}, but is broken; assimp reports: {}", name,
+                                      ending, importer.GetErrorString()));
   }
   return subtracted;
 }
@@ -220,7 +177,7 @@ MeshImport::MeshImport(const std::string& path, const std::optional<WorldPoint>&
     subtracted_ = read_file(*importer_, from, origin);
   }
   scene_ = importer_->GetScene();
-  if (scene_->mRootNode == nullptr) throw InvalidArgument(fmt::format("{}: the file has no scene in it", name_));
+  if (scene_->mRootNode == nullptr) throw InvalidArgument(fmt::format("{}: the file contains no scene", name_));
   keep_axes_of_ifc(*scene_);
 }
 MeshImport::~MeshImport() = default;

@@ -23,14 +23,14 @@ class MeshImport {
   /// axes: z points up. Throws InvalidArgument, naming the file, if it is missing, empty, broken or of an unknown
   /// format.
   ///
-  /// OBJ files are read relative to `origin`, in doubles, or to one that is chosen if it is not given
-  /// (mesh_origin.hpp).
+  /// Files that have more digits than floats are read relative to `origin`, in doubles, or to one that is chosen if it
+  /// is not given (mesh_origin.hpp).
   MeshImport(const std::string& path, const std::optional<WorldPoint>& origin);
   MeshImport(const MeshImport&) = delete;
   MeshImport& operator=(const MeshImport&) = delete;
   ~MeshImport();
 
-  /// What was subtracted from the coordinates of an OBJ file; of another format nothing was.
+  /// What was subtracted from the coordinates of such a file; 0 for others.
   [[nodiscard]] const WorldPoint& subtracted() const noexcept { return subtracted_; }
   /// The file as messages call it.
   [[nodiscard]] const std::string& name() const noexcept { return name_; }

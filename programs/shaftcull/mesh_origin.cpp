@@ -2,21 +2,26 @@
 #include "mesh_origin.hpp"
 
 #include <algorithm>
-#include <charconv>
+#include <bit>
 #include <cmath>
-#include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <iterator>
 #include <limits>
+#include <system_error>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "mesh_format.hpp"
+#include "number.hpp"
 #include "printable.hpp"
 #include "shaftcull/error.hpp"
 
 namespace shaftcull::cli {
 namespace {
 
-constexpr std::string_view blanks = " \t\r";
+using Words = std::vector<std::string_view>;
 
 /// The line at the beginning, which is taken away with its end.
 std::string_view take_line(std::string_view& bytes) {
@@ -25,100 +30,213 @@ std::string_view take_line(std::string_view& bytes) {
   return line;
 }
 
-std::string_view without_blanks(std::string_view text) {
-  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
-  return text;
+void split(std::string_view line, Words& words) {
+  constexpr std::string_view blanks = " \t\r";
+  words.clear();
+  for (std::size_t begin = 0; (begin = line.find_first_not_of(blanks, begin)) != std::string_view::npos;) {
+    const std::size_t end = std::min(line.find_first_of(blanks, begin), line.size());
+    words.push_back(line.substr(begin, end - begin));
+    begin = end;
+  }
 }
 
-/// A vertex, and what follows its coordinates: weights or colours.
-struct Vertex {
-  WorldPoint at;
-  std::string_view rest;
+/// Bytes of a scalar of a PLY file; 0 for an unknown type.
+std::size_t size_of(std::string_view type) {
+  if (type == "char" || type == "uchar" || type == "int8" || type == "uint8") return 1;
+  if (type == "short" || type == "ushort" || type == "int16" || type == "uint16") return 2;
+  if (type == "int" || type == "uint" || type == "int32" || type == "uint32") return 4;
+  if (type == "float" || type == "float32") return 4;
+  return type == "double" || type == "float64" ? 8 : 0;
+}
+
+/// Where vertices are, if they come first in the file and have no lists.
+std::optional<VertexPlaces> places_in_ply(std::string_view bytes) {
+  const std::string_view whole = bytes;
+  VertexPlaces places;
+  std::size_t elements = 0;
+  std::size_t columns = 0;
+  std::size_t found = 0;
+  bool are_doubles = true;
+  Words words;
+  while (!bytes.empty()) {
+    split(take_line(bytes), words);
+    ++places.first;
+    if (words.empty()) continue;
+    if (words[0] == "end_header") break;
+    if (words[0] == "format" && words.size() > 1) {
+      places.is_text = words[1] == "ascii";
+      places.is_big_endian = words[1] == "binary_big_endian";
+    } else if (words[0] == "element" && words.size() == 3) {
+      if (++elements > 1) continue;
+      const auto [count, error] = parse_number<std::size_t>(words[2]);
+      if (words[1] != "vertex" || error != std::errc()) return {};
+      places.count = count;
+    } else if (words[0] == "property" && elements == 1) {
+      const std::size_t size = words.size() == 3 ? size_of(words[1]) : 0;
+      if (size == 0) return {};
+      const std::size_t axis = words[2].size() == 1 ? std::size_t(words[2][0]) - 'x' : 3;
+      if (axis < 3) {
+        places.place[axis] = places.is_text ? columns : places.stride;
+        are_doubles = are_doubles && size == 8;
+        ++found;
+      }
+      ++columns;
+      places.stride += size;
+    }
+  }
+  if (found != 3 || places.count == 0) return {};
+  if (places.is_text) return places;
+  places.first = whole.size() - bytes.size();
+  if (!are_doubles || bytes.size() / places.stride < places.count) return {};
+  return places;
+}
+
+/// A single number behind the coordinates of an OBJ file is a weight, which they are divided by.
+bool has_weight(const Words& words) { return words.size() == 5 && parse_number<double>(words[4]).value != 1; }
+
+/// Nothing for a line that is not three finite numbers, or goes on in the next one, or has a weight.
+std::optional<WorldPoint> vertex_in(const Words& words, const VertexPlaces& places) {
+  WorldPoint vertex{};
+  for (std::size_t k = 0; k != 3; ++k) {
+    if (words.size() <= places.place[k]) return {};
+    const auto [number, error] = parse_number<double>(words[places.place[k]]);
+    if (error != std::errc() || !std::isfinite(number)) return {};
+    vertex[k] = number;
+  }
+  if (places.keyword == "v" && (has_weight(words) || words.back().ends_with('\\'))) return {};
+  return vertex;
+}
+
+/// Calls `is_vertex(words, line, number)` for each line of a vertex and `is_other(line)` for each other one, until one
+/// of the former returns false. Returns whether none did.
+template <class IsVertex, class IsOther>
+bool each_line(std::string_view bytes, const VertexPlaces& places, const IsVertex& is_vertex, const IsOther& is_other) {
+  Words words;
+  for (std::size_t number = 0; !bytes.empty(); ++number) {
+    const std::string_view line = take_line(bytes);
+    split(line, words);
+    const bool is_one =
+        places.keyword.empty() ? number - places.first < places.count : !words.empty() && words[0] == places.keyword;
+    if (!is_one) {
+      is_other(line);
+    } else if (!is_vertex(words, line, number)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// A coordinate of a binary file.
+double number_at(const char* from, bool is_big_endian) {
+  std::array<unsigned char, 8> bytes{};
+  std::memcpy(bytes.data(), from, bytes.size());
+  if (is_big_endian != (std::endian::native == std::endian::big)) std::reverse(bytes.begin(), bytes.end());
+  return std::bit_cast<double>(bytes);
+}
+void put_number(char* to, bool is_big_endian, double number) {
+  auto bytes = std::bit_cast<std::array<unsigned char, 8>>(number);
+  if (is_big_endian != (std::endian::native == std::endian::big)) std::reverse(bytes.begin(), bytes.end());
+  std::memcpy(to, bytes.data(), bytes.size());
+}
+
+/// The box around vertices, which grows.
+struct Extent {
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  WorldPoint lo{infinity, infinity, infinity};
+  WorldPoint hi{-infinity, -infinity, -infinity};
+
+  void add(std::size_t k, double x) {
+    lo[k] = std::min(lo[k], x);
+    hi[k] = std::max(hi[k], x);
+  }
 };
 
-/// The number at the beginning, which is taken away.
-std::optional<double> take_number(std::string_view& text) {
-  text = without_blanks(text);
-  if (text.starts_with('+')) text.remove_prefix(1);
-  double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || !std::isfinite(number)) return {};
-  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-  return number;
-}
-
-/// A single number behind the coordinates is a weight, which they are divided by.
-bool has_weight(std::string_view rest) {
-  const std::optional<double> weight = take_number(rest);
-  return weight && *weight != 1 && without_blanks(rest).empty();
-}
-
-bool is_vertex(std::string_view line) {
-  line = without_blanks(line);
-  return line.size() >= 2 && line[0] == 'v' && blanks.find(line[1]) != std::string_view::npos;
-}
-
-/// Nothing for a vertex that is not three numbers, or goes on in the next line, or has a weight.
-std::optional<Vertex> vertex_in(std::string_view line) {
-  line = without_blanks(line).substr(1);
-  Vertex vertex{};
-  for (double& coordinate : vertex.at) {
-    const std::optional<double> number = take_number(line);
-    if (!number) return {};
-    coordinate = *number;
+/// Nothing if a vertex cannot be read.
+std::optional<Extent> extent_of(std::string_view bytes, const VertexPlaces& places) {
+  Extent extent;
+  if (places.is_text) {
+    const auto add = [&](const Words& words, std::string_view /*line*/, std::size_t /*number*/) {
+      const std::optional<WorldPoint> vertex = vertex_in(words, places);
+      for (std::size_t k = 0; vertex && k != 3; ++k) extent.add(k, (*vertex)[k]);
+      return vertex.has_value();
+    };
+    if (!each_line(bytes, places, add, [](std::string_view) {})) return {};
+    return extent;
   }
-  vertex.rest = line;
-  if (has_weight(line) || line.find('\\') != std::string_view::npos) return {};
-  return vertex;
+  for (std::size_t i = 0; i != places.count; ++i) {
+    const char* const vertex = bytes.data() + places.first + i * places.stride;
+    for (std::size_t k = 0; k != 3; ++k) {
+      const double x = number_at(vertex + places.place[k], places.is_big_endian);
+      if (!std::isfinite(x)) return {};
+      extent.add(k, x);
+    }
+  }
+  return extent;
 }
 
 }  // namespace
 
-std::optional<WorldPoint> origin_of_obj(std::string_view bytes) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  WorldPoint lo{infinity, infinity, infinity};
-  WorldPoint hi{-infinity, -infinity, -infinity};
-  while (!bytes.empty()) {
-    const std::string_view line = take_line(bytes);
-    if (!is_vertex(line)) continue;
-    const std::optional<Vertex> vertex = vertex_in(line);
-    if (!vertex) return {};
-    for (std::size_t k = 0; k != 3; ++k) {
-      lo[k] = std::min(lo[k], vertex->at[k]);
-      hi[k] = std::max(hi[k], vertex->at[k]);
-    }
-  }
+std::optional<VertexPlaces> vertex_places(std::string_view bytes, std::string_view ending) {
+  if (ending == "obj") return VertexPlaces{.keyword = "v", .place = {1, 2, 3}};
+  if (ending == "stl" && !is_binary_stl(bytes)) return VertexPlaces{.keyword = "vertex", .place = {1, 2, 3}};
+  if (ending == "ply") return places_in_ply(bytes);
+  return {};
+}
+
+std::optional<WorldPoint> origin_of(std::string_view bytes, const VertexPlaces& places) {
+  const std::optional<Extent> extent = extent_of(bytes, places);
+  if (!extent) return {};
   double largest = 0;
   double longest = 0;
   for (std::size_t k = 0; k != 3; ++k) {
-    largest = std::max({largest, std::abs(lo[k]), std::abs(hi[k])});
-    longest = std::max(longest, hi[k] - lo[k]);
+    largest = std::max({largest, std::abs(extent->lo[k]), std::abs(extent->hi[k])});
+    longest = std::max(longest, extent->hi[k] - extent->lo[k]);
   }
   constexpr double gain = 8;  // in steps of floats, at half the length
   if (!(longest > 0) || !std::isfinite(largest) || largest < gain * longest / 2) return {};
   WorldPoint origin{};
-  for (std::size_t k = 0; k != 3; ++k) origin[k] = std::round(0.5 * lo[k] + 0.5 * hi[k]);
+  for (std::size_t k = 0; k != 3; ++k) origin[k] = std::round(0.5 * extent->lo[k] + 0.5 * extent->hi[k]);
   return origin;
 }
 
-std::string obj_relative_to(std::string_view bytes, const WorldPoint& origin, const std::string& name) {
+std::string relative_to(const WorldPoint& origin, std::string_view bytes, const VertexPlaces& places,
+                        const std::string& name) {
+  if (!places.is_text) {
+    std::string relative(bytes);
+    for (std::size_t i = 0; i != places.count; ++i) {
+      char* const vertex = relative.data() + places.first + i * places.stride;
+      for (std::size_t k = 0; k != 3; ++k) {
+        char* const at = vertex + places.place[k];
+        put_number(at, places.is_big_endian, number_at(at, places.is_big_endian) - origin[k]);
+      }
+    }
+    return relative;
+  }
   std::string relative;
   relative.reserve(bytes.size());
-  for (std::size_t number = 1; !bytes.empty(); ++number) {
-    const std::string_view line = take_line(bytes);
-    if (!is_vertex(line)) {
-      relative.append(line).push_back('\n');
-      continue;
-    }
-    const std::optional<Vertex> vertex = vertex_in(line);
+  const auto move = [&](const Words& words, std::string_view line, std::size_t number) {
+    const std::optional<WorldPoint> vertex = vertex_in(words, places);
     if (!vertex) {
-      throw InvalidArgument(fmt::format(
-          "{}:{}: \"{}\" is no vertex of three numbers, so no origin can be subtracted; --origin 0,0,0 subtracts none",
-          name, number, printable(std::string(without_blanks(line).substr(0, 40)))));
+      throw InvalidArgument(
+          fmt::format("{}:{}: \"{}\" is not a vertex of three numbers, so no origin can be subtracted; --origin 0,0,0 "
+                      "subtracts none",
+                      name, number + 1,
+                      printable(std::string(line.substr(std::min(line.find_first_not_of(" \t"), line.size()), 40)))));
     }
-    fmt::format_to(std::back_inserter(relative), "v {} {} {}{}\n", vertex->at[0] - origin[0], vertex->at[1] - origin[1],
-                   vertex->at[2] - origin[2], vertex->rest);
-  }
+    for (std::size_t i = 0; i != words.size(); ++i) {
+      const auto k =
+          static_cast<std::size_t>(std::find(places.place.begin(), places.place.end(), i) - places.place.begin());
+      if (i != 0) relative += ' ';
+      if (k < 3) {
+        fmt::format_to(std::back_inserter(relative), "{}", (*vertex)[k] - origin[k]);
+      } else {
+        relative.append(words[i]);
+      }
+    }
+    relative += '\n';
+    return true;
+  };
+  each_line(bytes, places, move, [&](std::string_view line) { relative.append(line).push_back('\n'); });
   return relative;
 }
 

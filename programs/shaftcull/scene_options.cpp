@@ -2,7 +2,6 @@
 #include "scene_options.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -19,34 +18,30 @@ void SceneOptions::add(CLI::App& subcommand, const std::string& patches) {
                   "Mesh files of one scene, in any format that assimp reads; - is standard input")
       ->type_name("FILE");
   CLI::Option* made = add_number(subcommand, "--rooms", rooms, 1, most_rooms,
-                                 "Instead of a file: so many rooms with doors and furniture, made from --seed")
+                                 "Instead of a file: N rooms with doors and furniture, made from --seed")
                           ->type_name("N");
-  subcommand.add_flag("--by-material", by_material, "Objects are materials, not nodes of the file")->excludes(made);
-  add_number(subcommand, "--scale", choice.scale, 1e-9, 1e9, "Multiply coordinates: 0.001 for a file in millimetres")
-      ->type_name("FACTOR");
-  subcommand
-      .add_option(
-          "--origin", origin,
-          "Subtract this point of the file from its coordinates, before --scale; if not given, one is chosen for "
-          "OBJ files in map coordinates")
-      ->type_name("X,Y,Z")
-      ->delimiter(',')
-      ->expected(3)
+  subcommand.add_flag("--by-material", by_material, "Take the materials of the file as objects, not its nodes")
       ->excludes(made);
+  add_number(subcommand, "--scale", choice.scale, 1e-9, 1e9,
+             "Multiply coordinates by this, for example 0.001 for a file in millimetres")
+      ->type_name("FACTOR");
+  origin.add_option(subcommand)->excludes(made);
   add_number(subcommand, "--patches", choice.patch_size, 1e-30, 1e30, patches)->type_name("SIZE");
-  subcommand.add_flag("--flip", choice.flip, "Patches see on the other side: normals of the file point away from it");
+  subcommand.add_flag("--flip", choice.flip,
+                      "Patches see on their back side, for files with normals that point the wrong way");
   subcommand
       .add_option("--solid", choice.solid,
-                  "Objects that are solid, by name or pattern ('wall*'): closed and convex; others are skipped")
+                  "Names or patterns ('wall*') of solid objects; those that are not closed and convex are skipped")
       ->type_name("NAME");
   subcommand.add_flag(
       "!--no-solids", choice.finds_solids,
-      "Look for no solids; without it, bodies and flat faces that hide pairs are found in the triangles");
+      "Do not search for solids; by default, bodies and flat faces that hide pairs are found in the triangles");
 }
 
 void SceneOptions::require_scene(const std::string& verb) const {
   if (paths.empty() && rooms == 0) {
-    throw InvalidArgument(fmt::format("{0}: in what file? Give shaftcull {0} FILE, or shaftcull {0} --rooms 6", verb));
+    throw InvalidArgument(
+        fmt::format("{0}: no file is given; use shaftcull {0} FILE, or shaftcull {0} --rooms 6", verb));
   }
   if (!paths.empty() && rooms != 0) {
     throw InvalidArgument(fmt::format("{}: the file {} and --rooms {} do not go together; give one of them", verb,
@@ -64,13 +59,7 @@ std::string SceneOptions::source() const {
 
 MeshScene SceneOptions::load() const {
   if (rooms != 0) return make_rooms(rooms, seed);
-  MeshReading reading{.by_material = by_material, .origin = {}};
-  if (!origin.empty()) reading.origin = WorldPoint{origin[0], origin[1], origin[2]};
-  for (const double x : origin) {
-    if (!std::isfinite(x))
-      throw InvalidArgument(fmt::format("--origin {}: give finite numbers", fmt::join(origin, ",")));
-  }
-  return load_mesh_files(paths, reading);
+  return load_mesh_files(paths, {.by_material = by_material, .origin = origin.value()});
 }
 
 std::string SceneOptions::hint_about_normals(const SightCounts& counts) const {
@@ -78,9 +67,9 @@ std::string SceneOptions::hint_about_normals(const SightCounts& counts) const {
   const double share =
       static_cast<double>(counts.facing_away) / static_cast<double>(std::max<std::uint64_t>(counts.total(), 1));
   if (choice.two_sided || share <= most) return {};
-  return fmt::format("{:.1f} % of the pairs face away. If normals point to the wrong side, {}{}\n", 100 * share,
-                     choice.flip ? "leave out --flip" : "--flip turns them round",
-                     may_be_two_sided ? "; with --two-sided patches see on both" : "");
+  return fmt::format("{:.1f} % of the pairs face away. If normals point the wrong way, {}{}\n", 100 * share,
+                     choice.flip ? "leave out --flip" : "use --flip",
+                     may_be_two_sided ? "; with --two-sided, patches see on both sides" : "");
 }
 
 }  // namespace shaftcull::cli

@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "mesh.hpp"
+#include "origin_option.hpp"
 #include "sees_scene.hpp"
 #include "shaftcull/visibility.hpp"
 
@@ -19,8 +20,8 @@ struct SceneOptions {
   std::vector<std::string> paths;
   bool by_material = false;
   std::size_t rooms = 0;
-  std::uint64_t seed = 1;      ///< of rooms, and of rays
-  std::vector<double> origin;  ///< three numbers, or none: it is chosen
+  std::uint64_t seed = 1;  ///< of rooms, and of rays
+  OriginOption origin;
   SeesChoice choice;
   bool may_be_two_sided = false;  ///< the subcommand has --two-sided
 

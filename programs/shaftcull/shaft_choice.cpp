@@ -41,15 +41,16 @@ void ShaftChoice::add_options(CLI::App& subcommand, CLI::Option* to) {
                                  motion_ = vector_option("--swept", text, "a displacement");
                                  swept_ = true;
                                },
-                               "What a box sweeps over that moves by this displacement")
+                               "The volume that a box sweeps over when it moves by this displacement")
                            ->type_name("X,Y,Z");
   subcommand
       .add_flag("--without-end", without_end_,
-                "With --swept: it goes on in that direction without end, as sunlight and falling bodies do")
+                "With --swept: the box moves in this direction without end, like sunlight or a falling body")
       ->needs(swept);
-  CLI::Option* shadow =
-      subcommand.add_flag("--shadow", shadow_, "What the second box, an occluder, can shadow from the first, a light")
-          ->excludes(swept);
+  CLI::Option* shadow = subcommand
+                            .add_flag("--shadow", shadow_,
+                                      "The volume that the second box, an occluder, can shadow from the first, a light")
+                            ->excludes(swept);
   subcommand
       .add_option_function<std::string>(
           "--reach",
@@ -61,9 +62,8 @@ void ShaftChoice::add_options(CLI::App& subcommand, CLI::Option* to) {
       ->type_name("R")
       ->needs(shadow);
   subcommand
-      .add_option(
-          "--contact", contact_,
-          "What becomes of bounds that only touch the shaft: closed keeps them, open does not (default: closed)")
+      .add_option("--contact", contact_,
+                  "Bounds that only touch the shaft: closed keeps them, open does not (default: closed)")
       ->check(CLI::IsMember({"closed", "open"}))
       ->type_name("CONTACT");
   if (to != nullptr) to->excludes(swept);
@@ -74,22 +74,31 @@ void ShaftChoice::add_hull_options(CLI::App& subcommand, std::span<CLI::Option* 
                           .add_option_function<std::vector<std::string>>(
                               "--hull",
                               [this](const std::vector<std::string>& texts) {
+                                hull_ = texts;
                                 for (const std::string& text : texts) {
                                   const std::vector<Vec3> corners = corners_option("--hull", text);
                                   points_.insert(points_.end(), corners.begin(), corners.end());
                                 }
                               },
-                              "The convex hull of these points and boxes in place of a shaft: up to 32 corners")
+                              "The convex hull of these points and boxes, up to 32 corners, instead of a shaft")
                           ->type_name("X,Y,Z|BOX");
   subcommand
       .add_option_function<std::string>(
           "--towards",
           [this](const std::string& text) { directions_ = {vector_option("--towards", text, "a direction")}; },
-          "With --hull: and all that lies from it in this direction")
+          "With --hull: extend the hull without end in this direction")
       ->type_name("X,Y,Z")
       ->needs(hull);
   for (CLI::Option* const option : excluded) hull->excludes(option);
   for (const char* const option : {"--swept", "--shadow"}) hull->excludes(subcommand.get_option(option));
+}
+
+void ShaftChoice::set_origin(const Origin& origin) {
+  if (origin == Origin()) return;
+  points_.clear();
+  for (const std::string& text : hull_) {
+    for (const WorldVec3& corner : world_corners_option("--hull", text)) points_.push_back(origin.nearest(corner));
+  }
 }
 
 ShaftKind ShaftChoice::kind() const {
@@ -117,16 +126,15 @@ FormedShaft ShaftChoice::form(const Box& from, const Box& to, Contact contact) c
       break;
     case ShaftKind::swept_infinite:
       if (motion_ == Vec3{}) {
-        throw InvalidArgument("--swept 0,0,0: no direction to go on in without end; give one that is not 0");
+        throw InvalidArgument("--swept 0,0,0: no direction for --without-end; give one that is not 0");
       }
       shaft = swept_infinite(from, motion_);
       break;
     case ShaftKind::shadow:
       if (touch(from, to)) {
-        throw InvalidArgument(
-            fmt::format("--shadow: light [{}] and occluder [{}] touch, so that all of space is in the shadow; give "
-                        "boxes that are apart",
-                        to_text(from), to_text(to)));
+        throw InvalidArgument(fmt::format(
+            "--shadow: light [{}] and occluder [{}] touch, so all of space is in the shadow; give boxes that are apart",
+            to_text(from), to_text(to)));
       }
       shaft = reach_ ? shadow(from, to, *reach_) : shadow(from, to);
       break;

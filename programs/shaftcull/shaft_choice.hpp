@@ -15,6 +15,7 @@
 #include "shaftcull/bounds.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/hull.hpp"
+#include "shaftcull/origin.hpp"
 
 namespace shaftcull::cli {
 
@@ -48,6 +49,9 @@ class ShaftChoice {
   /// Adds --hull and --towards. `excluded` are the options that a hull has no use for.
   void add_hull_options(CLI::App& subcommand, std::span<CLI::Option* const> excluded);
 
+  /// Makes the corners of --hull relative to an origin. Call it after the command line has been parsed.
+  void set_origin(const Origin& origin);
+
   [[nodiscard]] ShaftKind kind() const;
   [[nodiscard]] bool has_from() const { return kind() != ShaftKind::hull; }
   [[nodiscard]] bool has_to() const { return kind() == ShaftKind::between || kind() == ShaftKind::shadow; }
@@ -71,6 +75,7 @@ class ShaftChoice {
   bool shadow_ = false;
   std::optional<float> reach_;
   Vec3 motion_{};
+  std::vector<std::string> hull_;  ///< the texts of points_
   std::vector<Vec3> points_;
   std::vector<Vec3> directions_;
   std::string contact_ = "closed";

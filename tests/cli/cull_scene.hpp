@@ -22,6 +22,7 @@ struct Cube {
 /// An OBJ file of cubes, twelve triangles each.
 inline std::string obj_of(const std::vector<Cube>& cubes) {
   std::ostringstream obj;
+  obj.precision(17);
   int first = 1;
   for (const Cube& cube : cubes) {
     obj << "o " << cube.name << '\n';

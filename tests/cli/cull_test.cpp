@@ -34,7 +34,7 @@ TEST_F(CliCull, SaysWhatBlocksIfBoundsAreSolid) {
   EXPECT_THAT(text.out, HasSubstr("2 objects may lie between (1 inside, 1 overlap), 1 of them blocks\n"));
   EXPECT_THAT(text.out, HasSubstr("blocks   middle  [3,-2,-2,7,2,2]"));
   EXPECT_THAT(text.out, HasSubstr("inside   small"));
-  EXPECT_THAT(cull({"--from", "left", "--to", "aside", "--solid"}).out, HasSubstr(", none blocks\n"));
+  EXPECT_THAT(cull({"--from", "left", "--to", "aside", "--solid"}).out, HasSubstr(", none of them blocks\n"));
 
   const Outcome json = cull({"--from", "left", "--to", "right", "--solid", "--tree", "--format", "json"});
   ASSERT_EQ(json.exit_code, 0) << json.error;
@@ -266,6 +266,36 @@ TEST_F(CliCull, TakesBoxesForEnds) {
   EXPECT_THAT(outcome.out, HasSubstr(",left,,inside,"));
   EXPECT_THAT(outcome.out, HasSubstr(",aside,,inside,"));
   EXPECT_THAT(outcome.out, Not(HasSubstr("right")));
+}
+
+TEST_F(CliCull, ListsAFileInMapCoordinatesAsTheSameFileAtZero) {
+  // Floats near these coordinates are 0.5 apart, so that the small cube would have sides of 1 or 1.5.
+  constexpr double east = 4512345;
+  const std::string map = folder_.write("map.obj", obj_of({{"left", east, 0, 1},
+                                                           {"middle", east + 5, 0, 2},
+                                                           {"small", east + 5, 0, 0.625},
+                                                           {"right", east + 10, 0, 1},
+                                                           {"aside", east + 5, 9, 1}}));
+  const auto listed = [&](const std::vector<std::string>& more) {
+    return output_of(with({"cull", map, "--format", "csv"}, more));
+  };
+  EXPECT_THAT(listed({"--from", "left", "--to", "right"}),
+              AllOf(HasSubstr("small,,inside,4512349.375,-0.625,-0.625,4512350.625,0.625,0.625\n"),
+                    HasSubstr("middle,,overlap,4512348,-2,-2,4512352,2,2\n"), Not(HasSubstr("aside"))));
+  // Boxes and corners of the command line are in coordinates of the file. These end 1/32 before the small cube.
+  EXPECT_THAT(listed({"--from", "4512343,-1,-1,4512344,1,1", "--to", "4512345,-1,-1,4512349.34375,1,1"}),
+              AllOf(HasSubstr(",middle,"), Not(HasSubstr(",small,"))));
+  EXPECT_THAT(listed({"--hull", "4512343,-1,-1,4512349.34375,1,1"}),
+              AllOf(HasSubstr(",middle,"), Not(HasSubstr(",small,"))));
+  EXPECT_THAT(listed({"--hull", "4512343,-1,-1,4512349.40625,1,1"}), HasSubstr(",small,"));
+  const auto json =
+      nlohmann::json::parse(output_of({"cull", map, "--from", "left", "--to", "right", "--format", "json"}));
+  EXPECT_EQ(json["origin"], nlohmann::json({4512350, 4, 0}));
+  EXPECT_EQ(json["pairs"][0]["from"]["box"]["hi"][0], 4512346);
+  EXPECT_THAT(output_of({"cull", map, "--random", "1"}), HasSubstr("relative to 4512350, 4, 0"));
+  EXPECT_THAT(listed({"--from", "left", "--to", "right", "--origin", "0,0,0"}),
+              HasSubstr("small,,inside,4512349.5,-0.625"));
+  EXPECT_THAT(refusal_of({"cull", map, "--random", "1", "--origin", "1,2,inf"}), HasSubstr("give finite numbers"));
 }
 
 TEST_F(CliCull, DrawsTheSameRandomPairsForTheSameSeed) {

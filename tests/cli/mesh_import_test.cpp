@@ -3,9 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -40,6 +44,14 @@ constexpr const char* ply =
 constexpr const char* stl =
     "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
     "endsolid a\n";
+/// The same facet at (4512345.125, 0, 0).
+constexpr const char* ply_on_map =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty uchar red\nproperty double x\nproperty double y\n"
+    "property double z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+    "9 4512345.125 0 0\n9 4512346.125 0 0\n9 4512345.125 1 0\n3 0 1 2\n";
+constexpr const char* stl_on_map =
+    "solid a\nfacet normal 0 0 1\nouter loop\n  vertex 4512345.125 0 0\n  vertex 4512346.125 0 0\n"
+    "  vertex 4.512345125e6 1 0\nendloop\nendfacet\nendsolid a\n";
 constexpr const char* off = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
 constexpr const char* gltf = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
 "nodes":[{"name":"shelf","children":[1]},{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
@@ -102,15 +114,75 @@ TEST_F(CliMeshImport, ABinaryStlIsToldByItsLength) {
   std::string binary = std::string(80, 's') + std::string("\1\0\0\0", 4);
   binary += std::string(reinterpret_cast<const char*>(facet), sizeof facet) + std::string(2, '\0');
   EXPECT_EQ(nlohmann::json::parse(sees_input(binary).out)["triangles"], 1);
-  EXPECT_THAT(refused_input(binary + "?"), HasSubstr("does not begin as"));
+  EXPECT_THAT(refused_input(binary + "?"), HasSubstr("does not begin like"));
 }
 
 TEST_F(CliMeshImport, InputOfNoKnownFormatIsRefused) {
-  EXPECT_THAT(refused_input("hello\n"), HasSubstr("standard input: does not begin as OBJ, PLY, STL"));
+  EXPECT_THAT(refused_input("hello\n"), HasSubstr("standard input: does not begin like OBJ, PLY, STL"));
   EXPECT_THAT(refused_input(""), HasSubstr("standard input: "));
   EXPECT_THAT(refused_input("ply\nformat ascii 1.0\n"),
               HasSubstr("standard input: the file is broken: its PLY header"));
-  EXPECT_THAT(refused_input("{\"asset\": "), AllOf(HasSubstr("begins as a file of format gltf"), HasSubstr("assimp")));
+  EXPECT_THAT(refused_input("{\"asset\": "),
+              AllOf(HasSubstr("begins like a file of format gltf"), HasSubstr("assimp")));
+}
+
+/// The file `ply_on_map` with its vertices and faces in binary.
+std::string binary_ply_on_map(bool is_big_endian) {
+  std::string bytes = ply_on_map;
+  bytes.resize(bytes.find("end_header\n") + std::string_view("end_header\n").size());
+  bytes.replace(bytes.find("ascii"), 5, is_big_endian ? "binary_big_endian" : "binary_little_endian");
+  const auto add = [&](auto value) {
+    std::string raw(reinterpret_cast<const char*>(&value), sizeof value);
+    if (is_big_endian == (std::endian::native == std::endian::little)) std::reverse(raw.begin(), raw.end());
+    bytes += raw;
+  };
+  for (const auto& [x, y] : {std::pair(4512345.125, 0.0), {4512346.125, 0.0}, {4512345.125, 1.0}}) {
+    add(std::uint8_t{9});
+    for (const double coordinate : {x, y, 0.0}) add(coordinate);
+  }
+  add(std::uint8_t{3});
+  for (const std::int32_t corner : {0, 1, 2}) add(corner);
+  return bytes;
+}
+
+TEST_F(CliMeshImport, FormatsThatHaveDoublesKeepAllDigitsInMapCoordinates) {
+  const std::vector<std::pair<std::string, const char*>> meshes{{ply_on_map, "text.ply"},
+                                                                {binary_ply_on_map(false), "little.ply"},
+                                                                {binary_ply_on_map(true), "big.PLY"},
+                                                                {stl_on_map, "text.stl"}};
+  const std::vector<std::string> everything{"--hull", "4512340,-9,-9,4512350,9,9", "--bounds", "object", "--format",
+                                            "csv"};
+  const std::string exact = ",inside,4512345.125,0,0,4512346.125,1,0\n";
+  for (const auto& [bytes, name] : meshes) {
+    const std::string file = folder_.write(name, bytes);
+    EXPECT_THAT(output_of(with({"cull", file}, everything)), HasSubstr(exact)) << name;
+    EXPECT_THAT(output_of(with({"cull", file, "--origin", "4512345,0.25,3"}, everything)), HasSubstr(exact)) << name;
+    EXPECT_THAT(output_of(with({"cull", file, "--origin", "0,0,0"}, everything)), HasSubstr("4512345,0,0,4512346,1,0"))
+        << name;
+    const Outcome streamed = run_program(with({"cull", "-"}, everything), "", "<'" + file + "'");
+    EXPECT_THAT(streamed.out, HasSubstr(exact)) << name << ": " << streamed.error;
+  }
+}
+
+TEST_F(CliMeshImport, WithoutAnOriginVerticesThatOnlyTheReaderKnowsAreLeftToIt) {
+  // Lists in vertices, faces before vertices, and floats: no digits are lost, or they cannot be found here.
+  const auto relative = [&](std::string bytes, const std::string& from, const std::string& to) {
+    bytes.replace(bytes.find(from), from.size(), to);
+    return sees_input(bytes).error.find("relative to") != std::string::npos;
+  };
+  EXPECT_TRUE(relative(ply_on_map, "9 4512345.125 0 0", "9 4512345.125 0 0"));
+  EXPECT_FALSE(relative(ply_on_map, "property uchar red", "property list uchar int red"));
+  EXPECT_FALSE(relative(ply_on_map, "element vertex 3", "element other 0\nelement vertex 3"));
+  EXPECT_FALSE(relative(ply_on_map, "9 4512345.125 0 0", "9 nan 0 0"));
+  EXPECT_FALSE(relative(stl_on_map, "vertex 4512345.125 0 0", "vertex 4512345.125 0"));
+  const Outcome refused = run_program(
+      {"cull",
+       folder_.write("short.stl",
+                     std::string(stl_on_map).replace(std::string_view(stl_on_map).find(" 0 0\n"), 5, " 0\n")),
+       "--random", "1", "--origin", "1,2,3"});
+  expect_refusal(refused);
+  EXPECT_THAT(refused.error, HasSubstr("short.stl:"));
+  EXPECT_THAT(refused.error, HasSubstr("is not a vertex of three numbers"));
 }
 
 TEST_F(CliMeshImport, ANodeWithoutAnyNameHasThatOfTheNodeAbove) {
