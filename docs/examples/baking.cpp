@@ -77,8 +77,8 @@ std::vector<double> bake(const Scene& scene, const sc::Visibility& sees) {
 // [[end]]
 
 // [[deliver]]
-// The same without keeping any answer. Many threads call resolve() at once; what it can tell of
-// a pair it does, and what is seen in part it adds itself.
+// The same without storing answers. Many threads call resolve() at once. It counts pairs that are
+// seen or hidden as a whole, and adds the visible part of the others itself.
 std::vector<double> bake_in_passing(const Scene& scene, sc::SightCounts& counts) {
   Bake bake(scene);
   sc::VisibilityOptions options;
@@ -112,8 +112,8 @@ std::vector<double> bake_in_passing(const Scene& scene, sc::SightCounts& counts)
 // [[end]]
 
 // [[kept]]
-// What is kept of the answers: a bit for each pair that is clear, and the undecided ones with
-// their candidates. All others are dark.
+// The answers that are kept: a bit for each pair that is clear, and the undecided pairs with
+// their candidates. All other pairs are dark.
 struct Answers {
   std::vector<std::uint64_t> clear;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> open;
@@ -163,8 +163,8 @@ Answers all_answers(const Scene& scene, const sc::Occluders& occluders) {
 // [[end]]
 
 // [[comes]]
-// A thing comes, which is occluder `number` from now on, and is alone in `thing`. Returns the
-// pairs whose rays have to be traced anew.
+// An object comes. It is occluder `number` from now on, and alone in `thing`. Returns the pairs
+// whose rays must be traced again.
 std::vector<sc::PatchPair> comes(const Scene& scene, Answers& answers,
                                  const sc::Occluders& thing, std::uint32_t number) {
   std::vector<sc::PatchPair> changed;
@@ -215,17 +215,17 @@ void leaves(const Scene& scene, Answers& answers, std::span<const sc::PatchPair>
 }
 // [[end]]
 
-// Asks all anew, and compares. Times go to the error output.
+// Queries all pairs again, and compares. Times go to the error output.
 bool check(const Scene& scene, const Answers& answers, const sc::Occluders& occluders,
            const char* what, std::size_t changed, Clock::time_point begin) {
   const double took = milliseconds_since(begin);
   begin = Clock::now();
-  const Answers anew = all_answers(scene, occluders);
-  std::fprintf(stderr, "%s: %.1f ms; all anew: %.1f ms\n", what, took,
+  const Answers again = all_answers(scene, occluders);
+  std::fprintf(stderr, "%s: %.1f ms; all again: %.1f ms\n", what, took,
                milliseconds_since(begin));
-  std::printf("%s: rays of %zu pairs are traced anew, %zu are undecided now\n", what, changed,
+  std::printf("%s: rays of %zu pairs are traced again, %zu are undecided now\n", what, changed,
               answers.open.size());
-  return answers == anew;
+  return answers == again;
 }
 
 // A chair comes, moves and leaves; then a partition comes, which is solid.

@@ -79,8 +79,8 @@ inline void add_box(std::vector<sc::Triangle>& mesh, const sc::Box& box, float s
 // [[end]]
 
 // [[formfactor]]
-// How much of the light that leaves a point of a patch reaches another one, if nothing is
-// between: Lambert's sum over the edges of what is in front of the patch.
+// The share of the light from a point of a patch that reaches another patch, if nothing is
+// between: Lambert's sum over the edges of the part in front of the patch.
 inline double form_factor(const Point& from, const Point& normal, const sc::Triangle& to) {
   std::vector<Point> seen;
   for (std::size_t c = 0; c != 3; ++c) {

@@ -36,7 +36,7 @@ int main() {
   tree.commit();
   report("after it");
 
-  // Another thread goes on with what it has, while this one changes the tree.
+  // Another thread queries its snapshot while this thread changes the tree.
   std::size_t seen = 0;
   std::thread reader([&] { seen = sc::count(way, before); });
   tree.move(cart, {{7, 3, 0}, {8, 4, 1}});

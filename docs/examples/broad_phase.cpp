@@ -1,6 +1,5 @@
-// A physics broad phase: thousands of bodies move at once, and each stops at what it hits
-// first; with a tree that is refitted, and by hand with a grid that is made anew for each
-// frame.
+// A physics broad phase: thousands of bodies move at once, and each stops at the first body that
+// it hits. By a tree that is refitted, and by a hand-written grid that is made for each frame.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -34,8 +33,8 @@ struct Scene {
 };
 
 // [[tree]]
-// Bodies are updated in the tree, and asked in its order, in which neighbours follow each
-// other.
+// Bodies are updated in the tree. Queries follow the order of the tree, in which neighbours are
+// next to each other.
 void by_tree(const Scene& scene, sc::BoxTree& tree, std::vector<sc::FirstContact>& first) {
   tree.update(scene.bodies);
   for (const std::uint32_t i : tree.order()) {
@@ -46,8 +45,8 @@ void by_tree(const Scene& scene, sc::BoxTree& tree, std::vector<sc::FirstContact
 // [[end]]
 
 // The usual way: a grid of cells, each with the bodies whose lo corners are in it. A sweep
-// looks at all cells which such a corner of what it may hit can be in, and at the times of all
-// bodies there, as a slab test gives them.
+// looks at all cells that can hold the lo corner of a body that it may hit, and at the times of
+// all bodies there, by a slab test.
 class Grid {
  public:
   explicit Grid(float cell) : cell_(cell) {}
@@ -185,7 +184,7 @@ void compare(const char* what, const Scene& scene, bool timed) {
     hits += first[i] ? 1 : 0;
     alike += first[i].index == by_hand[i].index ? 1 : 0;
   }
-  std::printf("%s: %zu of %zu bodies hit one, %zu the same by hand\n", what, hits, first.size(),
+  std::printf("%s: %zu of %zu bodies hit one, %zu the same by the grid\n", what, hits, first.size(),
               alike);
   if (!timed) return;
   const double taken = by_hand::microseconds([&] { by_tree(scene, tree, first); });
@@ -198,7 +197,7 @@ void compare(const char* what, const Scene& scene, bool timed) {
 
 int main(int argc, char** /*argv*/) {
   const bool timed = argc > 1;  // as `broad_phase --time`
-  compare("equal sizes, short ways", Scene(20000, 0.5F, 0.5F), timed);
+  compare("equal sizes, short paths", Scene(20000, 0.5F, 0.5F), timed);
   compare("equal sizes, long ways", Scene(20000, 0.5F, 8), timed);
   compare("sizes up to 16 times", Scene(20000, 8, 0.5F), timed);
   compare("sizes up to 16 times, long ways", Scene(20000, 8, 8), timed);

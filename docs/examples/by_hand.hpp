@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What recipes compare the library with: boxes in blocks of 64 neighbours, eight at a time in
-// vectors, as an engine would write it by hand. Compile with -O3 -march=native to measure.
+// The code that recipes compare the library with: boxes in blocks of 64 neighbours, eight at a
+// time in vectors, as an engine would write it. Compile with -O3 -march=native to measure.
 #pragma once
 
 #include <algorithm>

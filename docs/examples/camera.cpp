@@ -1,4 +1,5 @@
-// What a camera sees, and what else must be drawn because its shadow falls into view.
+// The boxes that a camera sees, and the boxes that must be drawn because their shadow falls into
+// view.
 #include <cstdio>
 #include <shaftcull/shaftcull.hpp>
 #include <vector>
@@ -8,7 +9,7 @@ namespace sc = shaftcull;
 int main() {
   const std::vector<sc::Box> scene = {
       {{-1, -1, 10}, {1, 1, 12}},   // 0: in front of the camera
-      {{-1, 30, 20}, {1, 32, 22}},  // 1: high above what it sees
+      {{-1, 30, 20}, {1, 32, 22}},  // 1: high above the view
       {{30, -1, 5}, {32, 1, 7}},    // 2: to the right
       {{-1, -1, -9}, {1, 1, -7}},   // 3: behind it
       {{52, -5, 40}, {90, 5, 60}},  // 4: large, behind the far right corner
@@ -20,7 +21,7 @@ int main() {
   // DirectXMath, too.
   const float matrix[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1.04F, -2.04F, 0, 0, 1, 0};
 
-  // A hull owns its planes: keep it as long as it is asked. Once a frame, about 2 µs each.
+  // A hull owns its planes: keep it as long as it is queried. About 2 µs each, once per frame.
   const sc::ConvexHull view = sc::frustum(matrix, sc::ClipDepth::minus_one_to_one);
   const sc::ConvexHull casters = sc::casters_towards(view, {0, 1, 0});  // sun at the zenith
 

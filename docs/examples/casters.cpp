@@ -40,7 +40,7 @@ int main() {
   const sc::CompiledShaft lit = sc::compile(lamp, receiver, sc::Contact::open);
   print("area light", lit, tree);
 
-  // Only solid boxes may be asked: the ceiling is one, the box around a tree is none.
+  // Query only solid boxes. The ceiling is solid, and the box around a tree is not.
   std::printf("the ceiling alone takes all light: %s\n",
               sc::occluded(lit, scene[4]) ? "yes" : "no");
 }

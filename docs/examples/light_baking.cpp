@@ -49,7 +49,7 @@ int main() {
     if (sc::BitView(hidden)[i]) {
       ++dark;
     } else if (sc::BitView(obstructed)[i]) {
-      ++to_trace;  // sc::list_many() says by which objects: trace rays against these alone
+      ++to_trace;  // sc::list_many() lists the objects in the way: trace rays against these alone
     } else {
       ++clear;  // the form factor needs no visibility
     }

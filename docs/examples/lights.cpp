@@ -1,5 +1,5 @@
-// What an engine culls for a frame: the camera's view, the casters of its sun in four cascades,
-// and those of 64 lamps; with hulls and one tree, and by hand with planes and blocks of boxes.
+// The culling of an engine for one frame: the camera's view, the shadow casters of the sun in four
+// cascades, and of 64 lamps. With hulls and one tree, and with hand-written planes and blocks.
 #include <cmath>
 #include <cstdio>
 #include <shaftcull/shaftcull.hpp>
@@ -65,7 +65,7 @@ struct Drawn {
 };
 
 // [[hulls]]
-// A view is a hull; casters are that hull and the light. Each is asked of one tree.
+// A view is a hull. Casters are the hull of the view and the light. All query one tree.
 Drawn with_hulls(const Scene& scene, const sc::BoxTree& tree, bool exact_lamps) {
   Drawn drawn;
   std::vector<std::uint32_t> kept(tree.size());
@@ -94,8 +94,8 @@ Drawn with_hulls(const Scene& scene, const sc::BoxTree& tree, bool exact_lamps) 
 }
 // [[end]]
 
-// The usual way: six planes for the view; for a cascade the five of the box around it, as the
-// sun sees it, without the one towards the sun; for a lamp what it reaches.
+// The usual way: six planes for the view; for a cascade five planes of the box around it, as seen
+// from the sun, without the plane towards the sun; for a lamp the ball that it reaches.
 Drawn by_planes(const Scene& scene, const by_hand::Blocks& blocks,
                 std::vector<std::uint32_t>& kept) {
   Drawn drawn;

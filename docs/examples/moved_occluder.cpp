@@ -1,5 +1,5 @@
 // An object has moved. Which stored shafts does it touch, and which pairs of patches must be
-// asked again?
+// queried again?
 #include <algorithm>
 #include <cstdio>
 #include <shaftcull/shaftcull.hpp>
@@ -12,8 +12,8 @@ namespace sc = shaftcull;
 namespace {
 
 // [[shafts]]
-// Shafts in a tree of the boxes around them. Few of those that a box is near are touched, so
-// each of these is asked.
+// Shafts in a tree of the boxes around them. A box touches few of the shafts that it is near, so
+// each of these is tested itself.
 class ShaftTree {
  public:
   explicit ShaftTree(std::vector<sc::CompiledShaft> shafts) : shafts_(std::move(shafts)) {

@@ -14,7 +14,8 @@ struct Body {
   sc::Vec3 travel;  // in this frame
 };
 
-// What a sweeps over as b sees it; a is made larger by what rounding the difference may cost.
+// The space that a sweeps over, as seen from b. a is made larger by the rounding error of the
+// difference.
 sc::CompiledShaft seen_from(const Body& b, const Body& a) {
   sc::Vec3 travel{};
   float error = 0;
@@ -34,7 +35,7 @@ int main() {
       {{{0, 4, 0}, {1, 5, 1}}, {8, 0, 0}},     // 2: beside, with the first
       {{{5, -6, 0}, {6, -5, 1}}, {0, 9, 0}}};  // 3: across
 
-  // Pairs that may meet: a tree of boxes around the whole way of each, asked by all sweeps.
+  // Pairs that may meet: all sweeps query a tree of boxes around the whole path of each body.
   std::vector<sc::Box> starts;
   std::vector<sc::Box> ways;
   std::vector<sc::CompiledShaft> sweeps;

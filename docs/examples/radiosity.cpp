@@ -1,5 +1,5 @@
 // The shafts of a radiosity solver: for each pair of patches that face each other, the
-// candidates that its rays are tested against; with shafts and one tree, and by hand with a
+// candidates that its rays are tested against. With shafts and one tree, and with a hand-written
 // slab loop.
 #include <cstdio>
 #include <shaftcull/shaftcull.hpp>
@@ -50,8 +50,8 @@ struct Scene {
 };
 
 // [[shafts]]
-// Lists of candidates of all pairs, one after the other. With open contact what stands beside a
-// patch, or lies on its wall, is none. Shafts are formed by the hundred.
+// Lists of candidates of all pairs, one after the other. With open contact, objects that stand
+// beside a patch, or lie on its wall, are not candidates. Shafts are formed by the hundred.
 std::size_t with_shafts(const Scene& scene, const sc::BoxStream& patches,
                         const sc::Bounds& objects, std::span<std::uint32_t> kept) {
   std::vector<sc::CompiledShaft> shafts(128);
@@ -89,7 +89,7 @@ int main(int argc, char** /*argv*/) {
     const sc::BoxStream patches(scene.patches);
     const by_hand::Blocks blocks(scene.objects);
     std::vector<std::uint32_t> kept(count + 64);
-    std::printf("%zu objects, %zu pairs: %zu candidates, %zu by hand\n", count,
+    std::printf("%zu objects, %zu pairs: %zu candidates, %zu by the loop\n", count,
                 scene.pairs.size(), with_shafts(scene, patches, tree, kept),
                 by_slabs(scene, blocks, kept));
     if (argc == 1) continue;  // else, as `radiosity --time`
@@ -100,7 +100,7 @@ int main(int argc, char** /*argv*/) {
     const double slabs = by_hand::microseconds([&] { (void)by_slabs(scene, blocks, kept); });
     const auto pairs = static_cast<double>(scene.pairs.size());
     std::printf(
-        "  by hand %.2f us a pair, shafts and a tree %.2f us: %.2f x, and a stream %.2f us: "
+        "  loop %.2f us per pair, shafts and a tree %.2f us: %.2f x, and a stream %.2f us: "
         "%.2f x\n",
         slabs / pairs, shafts / pairs, shafts / slabs, flat / pairs, flat / slabs);
   }

@@ -1,5 +1,5 @@
-// A character slides along walls and floors: it moves up to what it hits, and goes on with the
-// rest of its way, without what would go into that.
+// A character slides along walls and floors: it moves up to the box that it hits, and goes on with
+// the rest of its path, without the part that would lead into the box.
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
@@ -11,8 +11,8 @@ namespace sc = shaftcull;
 
 namespace {
 
-// It stops so far short of what it hits, so that rounding cannot put it into that: many units
-// in the last place of a position.
+// The character stops so far short of a box, so that rounding cannot put it into the box: many
+// units in the last place of a position.
 constexpr float skin = 1.0F / 1024;
 constexpr int most_hits = 4;  // in a frame: floor, two walls, and a rest
 
@@ -28,8 +28,8 @@ struct Character {
 
 void slide(Character& character, sc::Vec3 travel, const sc::BoxTree& tree) {
   for (int hits = 0; hits != most_hits; ++hits) {
-    // Open contact: it moves along what it touches. What it is in already, such as a lift that
-    // came up, does not hold it.
+    // Open contact: it moves along boxes that it touches. A box that it is in already, such as a
+    // lift that came up, does not hold it.
     sc::CompiledShaft way = sc::swept(character.box(), travel);
     sc::set_contact(way, sc::Contact::open);
     const auto contact = sc::first_contact(way, tree, {.skip_overlapping = true});
@@ -45,7 +45,7 @@ void slide(Character& character, sc::Vec3 travel, const sc::BoxTree& tree) {
   }
 }
 
-// Prints what a frame costs for each of 64 characters among 10,000 boxes.
+// Prints the cost of a frame for each of 64 characters among 10,000 boxes.
 void time_frames() {
   std::uint32_t seed = 1;
   const auto random = [&] {

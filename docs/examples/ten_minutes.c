@@ -79,7 +79,7 @@ int main(void) {
   }
   shaftcull_tree_info about;
   must(shaftcull_tree_describe(tree, &about));
-  if (about.growth > 2) must(shaftcull_tree_rebuild(tree)); /* when much has moved far */
+  if (about.sah_ratio > 2) must(shaftcull_tree_rebuild(tree)); /* when much has moved far */
   /* [[end]] */
 
   /* [[kinds]] */

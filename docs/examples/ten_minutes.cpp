@@ -14,7 +14,7 @@ int main() {
   std::vector<sc::Box> scene = {
       {{2, 4, 2}, {3, 5, 3}}, {{8, 0, 0}, {9, 3, 1}}, {{4, -1, 4}, {6, 0, 6}}};
 
-  sc::BoxStream boxes(scene);  // checked, aligned, one stream a coordinate
+  sc::BoxStream boxes(scene);  // checked, aligned, one stream per coordinate
   const sc::CompiledShaft shaft = sc::compile(lamp, table);
   std::vector<std::uint64_t> kept(sc::bit_words(boxes.size()));
   cull(shaft, boxes, kept);  // bit i: box i may stand between
@@ -38,7 +38,7 @@ int main() {
   // [[end]]
 
   // [[tree]]
-  sc::BoxTree tree(scene);                           // sorted once; asked the same questions
+  sc::BoxTree tree(scene);                           // sorted once; takes the same queries
   list_many(shafts, tree, lists, {.exclude = {2}});  // box 2 is left out
   std::printf("%zu without box 2, %s\n", lists[0].size(),
               any(shafts[0], tree) ? "some with it" : "none with it");
@@ -47,7 +47,7 @@ int main() {
   // [[frames]]
   for (int frame = 0; frame != 3; ++frame) {
     for (sc::Box& box : scene) box = sc::translated(box, {0.5F, 0, 0});
-    tree.update(std::span<const sc::Box>(scene));  // no memory is taken, nothing is sorted
+    tree.update(std::span<const sc::Box>(scene));  // allocates nothing, sorts nothing
     const sc::CompiledShaft now = sc::compile(lamp, table);  // form shafts again: nanoseconds
     std::printf("frame %d: %zu\n", frame, count(now, tree));
   }
@@ -60,7 +60,7 @@ int main() {
   const sc::CompiledShaft sunlit = sc::swept_infinite(table, {-1, 2, -1});
   const sc::CompiledShaft hidden = sc::shadow(lamp, scene[0]);
   const std::array<sc::Vec3, 4> corners = {{{0, 0, 0}, {4, 0, 0}, {0, 9, 0}, {5, 5, 5}}};
-  const sc::ConvexHull hull(corners);  // keep it while it is asked
+  const sc::ConvexHull hull(corners);  // keep it while it is queried
   std::printf("%zu %zu %zu %zu\n", count(sweep, tree), count(sunlit, tree), count(hidden, tree),
               count(hull, tree));
 

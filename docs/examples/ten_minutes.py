@@ -7,7 +7,7 @@ lamp = [0, 9, 0, 1, 10, 1]
 table = [4, 0, 4, 6, 1, 6]
 scene = np.array([[2, 4, 2, 3, 5, 3], [8, 0, 0, 9, 3, 1], [4, -1, 4, 6, 0, 6]], np.float32)
 
-boxes = sc.BoxStream(scene)  # checked, aligned, one stream a coordinate
+boxes = sc.BoxStream(scene)  # checked, aligned, one stream per coordinate
 shaft = sc.Shafts.between(lamp, table)
 for i, kept in enumerate(boxes.cull(shaft)):  # element i: box i may stand between
     print(f"box {i} {'may' if kept else 'cannot'}")
@@ -22,7 +22,7 @@ for s, kept in enumerate(lists):
 # [[end]]
 
 # [[tree]]
-tree = sc.BoxTree(scene)  # sorted once; asked the same questions
+tree = sc.BoxTree(scene)  # sorted once; takes the same queries
 lists = tree.list(shafts, exclude=2)  # box 2 is left out
 print(f"{len(lists[0])} without box 2, {'some' if tree.any(shafts[0]) else 'none'} with it")
 # [[end]]

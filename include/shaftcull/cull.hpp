@@ -4,19 +4,21 @@
 /// Answers are exact for all finite floats, degenerate and huge ones included, and the same bits on every instruction
 /// set:
 ///
-/// * A box is outside, overlapping or inside as in real arithmetic for the floats given. Touching is not outside.
-/// * A corner is beyond an added plane by the real sign of n·p − d.
+/// * A box is outside, overlapping or inside as in real arithmetic for the floats given. A box that touches the shaft
+///   is not outside.
+/// * Whether a corner is beyond an added plane is decided by the sign of n·p − d in real arithmetic.
 /// * A sphere is outside iff its centre is farther than its radius from the shaft, and inside iff every face is at
 ///   least that far from the centre. For convex hulls, answers for spheres are conservative (hull.hpp).
 /// * Triangles: triangles.hpp.
-/// * With open contact, touching is outside, in the sense of relative interiors (set_contact() in compiled.hpp).
+/// * With open contact, a bound that only touches the shaft is outside. set_contact() (compiled.hpp) defines this by
+///   relative interiors.
 /// * A bound with a NaN is never inside.
 ///
 /// Both forms of a shaft (Form in compiled.hpp) give the same answers.
 ///
-/// Each verb has one meaning everywhere: cull() and classify() write bits, count() returns a number, list() lists
-/// indices, any() returns a bool. Each has a variant for many shafts (many.hpp). Bounds, options, errors and cost:
-/// query.hpp.
+/// Each verb (query.hpp) has one meaning everywhere: cull() and classify() write bits, count() returns a number, list()
+/// lists indices, any() returns a bool. Each has a variant for many shafts (many.hpp). Bounds, options, errors and
+/// cost: query.hpp.
 ///
 /// A call rounds to nearest, keeps denormals and raises no flag, in any floating-point mode of the calling thread. It
 /// leaves the modes and flags of the thread unchanged.
@@ -35,15 +37,15 @@
 namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// Sets bit i of `kept` (word i / 64, bit i % 64) iff bound i is *not* outside the shaft, and clears it otherwise. Bits
-/// past the last bound are zero. `kept` has exactly bit_words(bounds.size()) words. If a shaft keeps much of the scene,
-/// a scan of a view writes the bits faster than a tree.
+/// past the last bound are zero. `kept` has exactly bit_words(bounds.size()) words. If a shaft keeps a large part of
+/// the scene, a scan of a view writes the bits faster than a tree.
 SHAFTCULL_EXPORT void cull(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::uint64_t> kept,
                            const Query& query = no_options);
 
-/// Classifies: `kept` as cull() writes it, and bit i of `inside` set iff bound i is entirely inside the shaft and on
-/// the inner side of every added plane. So outside is not kept, and overlap is kept and not inside. Inside is always
-/// decided by planes. Both spans have bit_words(bounds.size()) words. `kept` may be empty: then only `inside` is
-/// written.
+/// Writes `kept` as cull() does, and sets bit i of `inside` iff bound i is entirely inside the shaft and on the inner
+/// side of every added plane. So a bound that is outside is not kept, and a bound that overlaps is kept and not inside.
+/// *Inside* is always decided by planes, in both forms. Both spans have bit_words(bounds.size()) words. `kept` may be
+/// empty: then only `inside` is written.
 SHAFTCULL_EXPORT void classify(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::uint64_t> kept,
                                std::span<std::uint64_t> inside, const Query& query = no_options);
 
@@ -58,15 +60,15 @@ SHAFTCULL_EXPORT void classify(const CompiledShaft& shaft, const Bounds& bounds,
                                                            const Query& query = no_options);
 
 /// Writes the indices of the bounds that the shaft keeps, and returns their number, also if they do not fit
-/// (results.hpp). With Query::limit, the call lists the first that many and stops. With Query::only, `kept` may begin
-/// where the candidates begin, which overwrites them. Throws InvalidArgument for a view of more bounds than 32-bit
-/// indices can number: list slices of it.
+/// (results.hpp). With Query::limit, the call stops after that many results. With Query::only, `kept` may begin where
+/// the candidates begin; the results then overwrite the candidates. Throws InvalidArgument for a view of more bounds
+/// than 32-bit indices can number: list slices of such a view.
 [[nodiscard]] SHAFTCULL_EXPORT std::size_t list(const CompiledShaft& shaft, const Bounds& bounds,
                                                 std::span<std::uint32_t> kept, const Query& query = no_options);
 
 /// Writes the list to a vector, which becomes as long as the list. The call allocates if the capacity is too small. It
-/// queries twice if there are more results than 256 and than the vector had elements: a vector that is reused frame
-/// after frame is seldom too short. The vector may hold the candidates of Query::only, but no other option.
+/// queries twice if there are more than 256 results and more results than the vector had elements. A vector that is
+/// reused in every frame is seldom too short. The vector may hold the candidates of Query::only, but no other option.
 SHAFTCULL_EXPORT std::size_t list(const CompiledShaft& shaft, const Bounds& bounds, std::vector<std::uint32_t>& kept,
                                   const Query& query = no_options);
 
@@ -89,9 +91,9 @@ SHAFTCULL_EXPORT std::size_t list(const CompiledShaft& shaft, const Bounds& boun
                                           TriangleTest test = TriangleTest::exact);
 
 /// Returns the answer of the shaft for one bound. About 30 ns for a box with AVX2; 40 to 50 ns for one within the box
-/// around a shaft whose joining planes are pending (compiled.hpp). A sphere there is answered by distances from planes,
-/// so each call computes the planes, which takes about 80 ns more: complete() a shaft that classifies many single
-/// spheres.
+/// around a shaft whose joining planes are pending (compiled.hpp). For a sphere there, the answer depends on distances
+/// from planes, so each call computes the planes, which takes about 80 ns more: complete() a shaft that classifies many
+/// single spheres.
 [[nodiscard]] SHAFTCULL_EXPORT Answer classify(const CompiledShaft& shaft, const Box& box);
 [[nodiscard]] SHAFTCULL_EXPORT Answer classify(const CompiledShaft& shaft, const Sphere& sphere);
 

@@ -5,8 +5,8 @@
 /// with the CMake option `SHAFTCULL_WITH_EXCEPTIONS=OFF`. Errors then go to the handler of set_error_handler(). The
 /// program ends (std::abort) if the handler returns, or if memory runs out.
 ///
-/// The library defines the destructors. The type information that a `catch` compares therefore exists once, however
-/// many shared libraries a program loads. Standard libraries that compare addresses need that.
+/// The library defines the destructors. So the type information that a `catch` compares exists only once, however many
+/// shared libraries a program loads. Standard libraries that compare its addresses need that.
 #pragma once
 
 #include <cstddef>
@@ -28,8 +28,8 @@ class SHAFTCULL_EXPORT InvalidArgument : public std::invalid_argument {
 };
 
 /// A bound or point in the user's memory cannot be used: NaN, lo > hi, a negative radius or half extent, or a value
-/// that is not finite where the call needs finite values. For a batch of shafts (volumes.hpp), index() is that of the
-/// first shaft that cannot be formed.
+/// that is not finite where the call needs finite values. For a batch of shafts (volumes.hpp), index() is the position
+/// of the first shaft that cannot be formed.
 class SHAFTCULL_EXPORT BadBound : public InvalidArgument {
  public:
   /// Makes the error of the bad bound at position `index`, with the message `what`.

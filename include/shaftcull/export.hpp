@@ -7,7 +7,7 @@
 /// Windows, a DLL exports declarations that begin with SHAFTCULL_EXPORT: functions, and classes with functions of their
 /// own that are not inline.
 ///
-/// A static library exports nothing: each of two plugins that link it has its own copy.
+/// A static library exports nothing: if two plugins link it, each has its own copy.
 #pragma once
 
 // The CMake target and pkg-config's flags define SHAFTCULL_SHARED if the library is shared. CMake defines

@@ -21,7 +21,8 @@ template <class Function, class Result, class... Args>
 concept CallableFunction = std::is_function_v<Function> && std::is_invocable_r_v<Result, Function&, Args...>;
 
 /// Any other type that can be called with Args and returns a value that converts to Result. Callable is a type or a
-/// reference, as a forwarding reference deduces it. Reference, the class made from it, is excluded: it is copied.
+/// reference, as a forwarding reference deduces it. The class Reference that is made from it is excluded, since it is
+/// copied.
 template <class Callable, class Reference, class Result, class... Args>
 concept CallableObject =
     !std::same_as<std::remove_cvref_t<Callable>, Reference> && !std::is_function_v<std::remove_reference_t<Callable>> &&

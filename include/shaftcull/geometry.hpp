@@ -55,13 +55,13 @@ struct ViewPlanes {
 ///
 /// The matrix has 4 rows of 4 floats, row after row, and maps column vectors. Point p of the world is at
 /// matrix · (p, 1) = (x, y, z, w) in clip space, and in view if −w ≤ x ≤ w, −w ≤ y ≤ w and z is in the range of
-/// `depth`. Transpose a matrix that is stored column by column (glm) or that maps row vectors (DirectXMath). Otherwise
-/// its last column has the unit length that its last row should have: this call and frustum() then throw
-/// InvalidArgument.
+/// `depth`. Transpose a matrix that is stored column by column (glm) or that maps row vectors (DirectXMath). If such a
+/// matrix is not transposed, its last column has the unit length that its last row should have, and this call and
+/// frustum() throw InvalidArgument.
 ///
 /// Each coefficient is the sum or difference of two coefficients of the matrix, rounded to the nearest float. Throws
 /// InvalidArgument if the matrix is not finite, if a coefficient overflows, if a plane leaves nothing in view, or if
-/// `depth` is no enumerator.
+/// `depth` is not an enumerator.
 ///
 /// G. Gribb and K. Hartmann, "Fast Extraction of Viewing Frustum Planes from the World-View-Projection Matrix", 2001.
 [[nodiscard]] SHAFTCULL_EXPORT ViewPlanes view_planes(std::span<const float, 16> matrix, ClipDepth depth);

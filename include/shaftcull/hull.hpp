@@ -1,38 +1,39 @@
 // SPDX-License-Identifier: MIT
 /// Convex hulls in place of shafts: view frusta, shadow casters of a view, volumes between polygons.
 ///
-/// A hull goes where a compiled shaft goes, alone or among shafts, for views, streams and trees. Calls for times
-/// (first_contact.hpp) throw InvalidArgument for a hull, and calls for occluders (occluded.hpp) for one that is not of
-/// between_polygons().
+/// A hull can be used wherever a compiled shaft can, alone or among shafts, with views, streams and trees. There are
+/// two exceptions. Calls for times (first_contact.hpp) throw InvalidArgument for a hull. Calls for occluders
+/// (occluded.hpp) throw it for a hull that was not made by between_polygons().
 ///
 /// A *box* is outside a hull iff the two have no point in common, and inside iff all of it lies in the hull. Both are
 /// exact for the floats given, wherever the points lie. The usual test of a frustum by its six planes keeps large boxes
-/// behind its corners; this test does not. HullTest::conservative is that usual test.
+/// beyond its corners; this test does not. HullTest::conservative is the usual test.
 ///
 /// A *sphere* is outside if it is beyond a plane that decides answers for boxes: the plane of a face of the hull, of an
 /// outline edge as seen along x, y or z, or of a face of the hull's box. It is inside if it is behind all of these
 /// planes by at least its radius. So a sphere near a corner or an edge may be kept although it is outside. Rounding
-/// errs to the safe side, by about 2⁻²⁸ of the largest coordinate: no sphere that meets the hull is outside, none that
-/// leaves it is inside. All machines give the same answers.
+/// errs to the safe side, by about 2⁻²⁸ of the largest coordinate: no sphere that meets the hull is outside, and no
+/// sphere that leaves it is inside. All machines give the same answers.
 ///
-/// *Planes* are not added to hulls. Those of two polygons that face each other cut nothing off the hull between them:
-/// all of it is in front of both. Where planes do matter, ask a shaft that has them as well, and keep bounds that both
-/// keep: `compile(hull.box(), hull.box(), planes)` keeps what meets the box around the hull and is beyond no plane.
-/// That is the answer that added planes would have, exactly, and costs less than a second test of the hull.
+/// *Planes* cannot be added to hulls. The planes of two polygons that face each other cut nothing off the hull between
+/// them, since all of it is in front of both planes. Where planes do matter, query a second shaft that has the planes,
+/// and keep the bounds that both keep: `compile(hull.box(), hull.box(), planes)` keeps the bounds that meet the box
+/// around the hull and are beyond no plane. The result is exactly that of a hull with added planes, and costs less than
+/// a second test of the hull.
 ///
 /// Contact is closed: bounds that touch a hull are not outside. A copy of the shaft can have open contact, as in
 /// `CompiledShaft shaft = hull; set_contact(shaft, Contact::open);`. Then
 /// * a box is outside iff its relative interior has no point in common with that of the hull, exactly. The relative
 ///   interior of a flat hull is the hull without its rim; of a segment, the segment without its ends; of a point, the
-///   point. With HullTest::conservative a box is outside iff it is beyond one of the faces that the test looks at, or
-///   touches it from outside;
-/// * a sphere with a radius is outside also if it touches a face of the box around the hull from outside. One that
-///   touches another plane may be kept. One of radius 0 is answered as the box that is this point, exactly;
-/// * bounds that are not outside are inside as with closed contact.
+///   point. With HullTest::conservative a box is outside iff it is beyond one of the faces that the test uses, or
+///   touches that face from outside;
+/// * a sphere of radius above 0 is also outside if it touches a face of the box around the hull from outside. A sphere
+///   that touches another plane may be kept. A sphere of radius 0 gets the exact answer of the box that is this point;
+/// * of the bounds that are not outside, the same ones are inside as with closed contact.
 ///
-/// *Triangles* are tested as triangles.hpp says, exactly with either contact. Of hulls with an interior, floats decide
-/// about nearly all; of flat hulls, exact arithmetic decides about triangles whose box meets the hull's, in
-/// microseconds each.
+/// *Triangles* are tested as triangles.hpp defines, exactly with either contact. For hulls with an interior, floats
+/// decide nearly all answers. For flat hulls, exact arithmetic decides the answers for triangles whose boxes meet the
+/// box of the hull, in microseconds each.
 ///
 /// keeps() and classify() of one bound take about 10 to 20 ns for a view (Zen 4), and as long for a hull with
 /// directions.
@@ -51,24 +52,25 @@
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 
-/// How hulls cull boxes. Spheres, and what is inside, are answered alike by both.
+/// How hulls cull boxes. Answers for spheres, and answers about *inside*, are the same for both tests.
 enum class HullTest : std::uint8_t {
   /// Boxes are outside iff they have no point in common with the hull.
   exact,
   /// Boxes are outside iff they are beyond one face of the hull: the usual test of a frustum by its planes. It keeps
-  /// what the exact test keeps, and boxes beside edges and corners of the hull, most of them large ones. Of faces that
-  /// are parallel within a third of a degree one counts. If a face is across x, y or z, or if the hull has fewer than
-  /// four faces, boxes that miss the box around the hull are outside, too. Times: docs/measurements.md, *Convex hulls*.
+  /// every box that the exact test keeps, and also boxes, most of them large, beside edges and corners of the hull. Of
+  /// several faces that are parallel within a third of a degree, the test uses one. If a face is perpendicular to x, y
+  /// or z, or if the hull has fewer than four faces, boxes that miss the box around the hull are outside, too. Times:
+  /// docs/measurements.md, *Convex hulls*.
   conservative,
 };
 
-/// The convex hull of up to 32 points, ready for queries. With directions the hull has no end: it holds all that is
-/// reached from the hull of the points along the directions.
+/// The convex hull of up to 32 points, ready for queries. With directions, the hull has no end: it contains all points
+/// that are reached from the hull of the points along the directions.
 ///
 /// Const members are safe to call from many threads. Copies are deep. Forming or copying a hull allocates about 17 KB.
 class SHAFTCULL_EXPORT ConvexHull {
  public:
-  static constexpr std::size_t max_vertices = 32;  ///< of points and directions together
+  static constexpr std::size_t max_vertices = 32;  ///< the most points and directions together
 
   /// Forms the hull. Repeated, coplanar, collinear and single points are legal. Throws InvalidArgument if there is no
   /// point, if points and directions are more than max_vertices, if one is not finite, if a direction is zero, or if
@@ -79,19 +81,19 @@ class SHAFTCULL_EXPORT ConvexHull {
 
   ConvexHull(const ConvexHull& other);
   ConvexHull& operator=(const ConvexHull& other);
-  /// A moved-from hull was never formed: queries refuse it, points() is empty, and it can be copied, assigned to and
-  /// destroyed.
+  /// A moved-from hull counts as never formed: queries refuse it, points() is empty, and it can be copied, assigned to
+  /// and destroyed.
   ConvexHull(ConvexHull&& other) noexcept;
   ConvexHull& operator=(ConvexHull&& other) noexcept;
   ~ConvexHull();
 
-  /// The hull for queries. Copies of the shaft refer to this hull: they are valid until it is assigned to, moved from
-  /// or destroyed, so shafts are not copied from temporary hulls. The shaft's a() and b() are box().
+  /// The hull as a shaft for queries. Copies of the shaft refer to this hull, and are valid until the hull is assigned
+  /// to, moved from or destroyed. So shafts cannot be copied from temporary hulls. The shaft's a() and b() are box().
   [[nodiscard]] const CompiledShaft& compiled() const& noexcept { return compiled_; }
   const CompiledShaft& compiled() const&& = delete;
   operator const CompiledShaft&() const& noexcept { return compiled_; }  // NOLINT(google-explicit-constructor)
 
-  /// The smallest box around all points, infinite where directions lead.
+  /// The smallest box around all points, infinite on the sides to which directions lead.
   [[nodiscard]] Box box() const noexcept;
   /// The points and the directions, as they were given.
   [[nodiscard]] std::span<const Vec3> points() const noexcept;
@@ -104,9 +106,9 @@ class SHAFTCULL_EXPORT ConvexHull {
   friend SHAFTCULL_EXPORT ConvexHull casters_towards(const ConvexHull& view, const Vec3& towards_sun);
   friend SHAFTCULL_EXPORT ConvexHull between_polygons(std::span<const Vec3> p, std::span<const Vec3> q, HullTest test);
 
-  /// Of a view and one point or direction more.
+  /// The hull of a view and one more point or direction.
   ConvexHull(const ConvexHull& view, const Vec3& light, bool is_direction);
-  /// `first_end` of the points are one of two ends, the others the second; 0 if there are no two.
+  /// The first `first_end` points are the first of two ends, the others the second; 0 if the hull has no two ends.
   ConvexHull(std::span<const Vec3> points, std::span<const Vec3> directions, HullTest test, std::size_t first_end);
   void refer() noexcept;
 
@@ -115,13 +117,14 @@ class SHAFTCULL_EXPORT ConvexHull {
   CompiledShaft compiled_;  // refers to parts_
 };
 
-// Each function below forms a ConvexHull, with its time, allocation and std::bad_alloc, and is safe to call from many
-// threads. Form a view once per frame, not once per query.
+// Each function below forms a ConvexHull: it takes the time and the allocation of the constructor, throws
+// std::bad_alloc if memory runs out, and is safe to call from many threads. Form a view once per frame, not once per
+// query.
 
-/// Returns the hull of two ends: polygons, turned boxes or others, each the convex hull of its corners, in any order.
-/// It is the shaft between them, and occluded(), find_occluder() and list_occluders() answer for it: a solid blocks it
-/// if every segment between the relative interiors of the two ends passes through the solid (occluded.hpp). All else is
-/// as for a ConvexHull of the corners of both.
+/// Returns the hull of two ends, such as polygons or turned boxes. Each end is the convex hull of its corners, in any
+/// order. The result is the shaft between the ends, and occluded(), find_occluder() and list_occluders() accept it: a
+/// solid blocks it if every segment between the relative interiors of the two ends passes through the solid
+/// (occluded.hpp). Otherwise, it is a ConvexHull of the corners of both.
 ///
 /// Throws InvalidArgument if an end has no corner, if both together have more than ConvexHull::max_vertices, if a
 /// corner is not finite, or if `test` is not an enumerator.
@@ -138,15 +141,16 @@ class SHAFTCULL_EXPORT ConvexHull {
 [[nodiscard]] SHAFTCULL_EXPORT ConvexHull frustum(std::span<const float, 16> matrix, ClipDepth depth,
                                                   HullTest test = HullTest::exact);
 
-/// Returns the hull of `view` and a light at a point, which holds all that can cast a shadow into the view, with the
-/// test of the view. Throws InvalidArgument if the light is not finite, or if the view has max_vertices already or was
-/// never formed. Starts from the faces of the view, unless that has directions or is flat: then it takes half the time
-/// of a hull of all points, or a sixth if the light is within the view. So form a view once for all of its lights.
+/// Returns the hull of `view` and a light at a point, which contains all points that can cast a shadow into the view.
+/// The hull has the test of the view. Throws InvalidArgument if the light is not finite, or if the view has
+/// max_vertices already or was never formed. The call starts from the faces of the view, unless the view has directions
+/// or is flat. Starting from faces takes half the time of a hull of all points, or a sixth if the light is within the
+/// view. So form a view once for all of its lights.
 [[nodiscard]] SHAFTCULL_EXPORT ConvexHull casters(const ConvexHull& view, const Vec3& light);
 
-/// Returns the hull of `view` and all that lies from it towards the sun: all that can cast the sun's shadow into the
-/// view, with the test of the view. Throws InvalidArgument if the direction is not finite or zero, or if the view has
-/// max_vertices already or was never formed.
+/// Returns the hull of `view` and all points that lie from it towards the sun, which contains all points that can cast
+/// the sun's shadow into the view. The hull has the test of the view. Throws InvalidArgument if the direction is not
+/// finite or zero, or if the view has max_vertices already or was never formed.
 [[nodiscard]] SHAFTCULL_EXPORT ConvexHull casters_towards(const ConvexHull& view, const Vec3& towards_sun);
 
 }  // namespace shaftcull

@@ -20,22 +20,22 @@
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 
-/// An instruction set; for one processor, better sets come later. `scalar` and `portable128` (four floats per vector,
-/// no intrinsics) run on any processor. `neon` is for 64-bit ARM, and the others are for x86-64. Numbers may change
-/// when a set is added; names do not.
+/// An instruction set. Of the sets for one processor, better ones come later. `scalar` and `portable128` (four floats
+/// per vector, no intrinsics) run on any processor. `neon` is for 64-bit ARM, and the others are for x86-64. The
+/// numbers may change when a set is added; the names do not.
 enum class Isa : std::uint8_t {
   scalar,       ///< one float at a time
   portable128,  ///< four floats, by the compiler
-  sse4_2,       ///< four floats; needs POPCNT, too
-  avx2,         ///< eight floats; needs FMA, BMI and BMI2, too
-  avx512,       ///< sixteen floats: F, CD, DQ, BW and VL; needs those of avx2, too
+  sse4_2,       ///< four floats; needs POPCNT as well
+  avx2,         ///< eight floats; needs FMA, BMI and BMI2 as well
+  avx512,       ///< sixteen floats; needs F, CD, DQ, BW and VL, and all that avx2 needs
   neon,         ///< four floats
 };
 
-/// The name of an instruction set: "avx2" for Isa::avx2; "unknown" for a value that is no enumerator.
+/// The name of an instruction set: "avx2" for Isa::avx2; "unknown" for a value that is not an enumerator.
 [[nodiscard]] SHAFTCULL_EXPORT std::string_view name(Isa isa) noexcept;
 
-/// The instruction set with this name, in upper or lower case; std::nullopt if there is none.
+/// The instruction set with this name, in upper or lower case; std::nullopt if no set has it.
 [[nodiscard]] SHAFTCULL_EXPORT std::optional<Isa> isa_from_name(std::string_view text) noexcept;
 
 /// The instruction sets that this build has kernels for and this machine can run, slowest first; never empty.
@@ -51,8 +51,8 @@ struct IsaChoice {
   std::string refusal;
   Isa running;  ///< active_isa()
 };
-/// The present choice. Reads the environment, so no other thread may change it meanwhile. This call and
-/// available_isas() allocate, and throw std::bad_alloc if memory runs out.
+/// The present choice. Reads the environment, so no other thread may change the environment during the call. This call
+/// and available_isas() allocate, and throw std::bad_alloc if memory runs out.
 [[nodiscard]] SHAFTCULL_EXPORT IsaChoice isa_choice();
 
 /// Makes calls in every thread use `isa` from now on; overrides SHAFTCULL_ISA. Safe to call at any time: a call in

@@ -2,9 +2,9 @@
 /// Queries of many shafts against bounds, in parallel. For every shaft, each verb means the same as for one shaft
 /// (cull.hpp).
 ///
-/// The sizes alone, never the number of threads, determine the tasks, the results and their order. Calls run on oneTBB
-/// inside the caller's task_arena (in a build without oneTBB, serially), or on the caller's own threads
-/// (executor.hpp). They are safe to make from many threads.
+/// Sizes alone determine the tasks. So the tasks, the results and their order do not depend on the number of threads.
+/// Calls run on oneTBB inside the caller's task_arena (in a build without oneTBB, serially), or on the caller's own
+/// threads (executor.hpp). They are safe to make from many threads.
 ///
 /// All parallel calls of the library, including those of trees and visibility, may be made from within the caller's
 /// tasks. Each call has its own task_group_context: it completes even if the caller's group is cancelled, and
@@ -14,8 +14,8 @@
 ///
 /// A call takes at most 64 KiB of stack, as does each of its tasks.
 ///
-/// A child of fork() has no oneTBB threads. It may make calls for one shaft, and parallel calls after it has started
-/// another program.
+/// A child of fork() has no oneTBB threads. It may make calls for one shaft. It may make parallel calls only after it
+/// has started another program.
 ///
 /// Calls that write bits or numbers allocate only task memory of oneTBB. Calls that list allocate the lists once in
 /// tasks and once for the caller; they reuse the memory of `lists`. Query::only adds a copy of the candidates' bounds.
@@ -55,19 +55,19 @@ SHAFTCULL_EXPORT void count_many(std::span<const CompiledShaft> shafts, const Bo
 SHAFTCULL_EXPORT void count_classified_many(std::span<const CompiledShaft> shafts, const Bounds& bounds,
                                             std::span<KeptCounts> counts, const Query& query = no_options);
 
-/// Writes the list of list(shafts[s], …) to list s. Throws InvalidArgument as list(), std::bad_alloc if memory runs
-/// out.
+/// Writes the list of list(shafts[s], …) to list s. Throws InvalidArgument as list() does, and std::bad_alloc if memory
+/// runs out.
 SHAFTCULL_EXPORT void list_many(std::span<const CompiledShaft> shafts, const Bounds& bounds, IndexLists& lists,
                                 const Query& query = no_options);
 
-/// Lists bounds that overlap and bounds inside separately, as list_classified(). Throws InvalidArgument if both are the
-/// same lists.
+/// Lists bounds that overlap and bounds inside separately, as list_classified() does. Throws InvalidArgument if both
+/// are the same lists.
 SHAFTCULL_EXPORT void list_classified_many(std::span<const CompiledShaft> shafts, const Bounds& bounds,
                                            IndexLists& overlap, IndexLists& inside, const Query& query = no_options);
 
 /// Writes bit s of `any` (word s / 64, bit s % 64): 1 iff shafts[s] keeps any bound. Bits past the last shaft are 0.
-/// `any` has bit_words(shafts.size()) words. A shaft that has kept a bound is not tested with later bounds. So time
-/// depends on where the kept bounds are and, slightly, on the threads; bits do not.
+/// `any` has bit_words(shafts.size()) words. A shaft that has kept a bound is not tested with later bounds. So the time
+/// depends on where the kept bounds are and, slightly, on the threads; the bits do not.
 SHAFTCULL_EXPORT void any_many(std::span<const CompiledShaft> shafts, const Bounds& bounds,
                                std::span<std::uint64_t> any, const Query& query = no_options);
 

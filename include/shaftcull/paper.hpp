@@ -55,16 +55,18 @@ struct JoiningPlane {
 inline constexpr std::size_t max_joining_planes = 8;
 
 /// The convex hull of two boxes, as planes: the six faces of the shaft box, up to eight joining planes, and the planes
-/// that the user adds. A value without heap memory: only the message of an exception is allocated. Const members and
-/// culled_volume() are safe to call from many threads. No thread may use a shaft while another one adds a plane to it.
+/// that the user adds. It has no heap memory: only the message of an exception is allocated. Const members and
+/// culled_volume() are safe to call from many threads. No thread may use a shaft while another thread adds a plane to
+/// it.
 class SHAFTCULL_EXPORT Shaft {
  public:
   /// Forms the shaft between boxes `a` and `b`. Points, flat, equal, nested and touching boxes are legal. Throws
-  /// InvalidArgument for a box that is not finite with lo ≤ hi, and for an option that is no enumerator of its type.
+  /// InvalidArgument for a box that is not finite or has lo > hi, and for an option that is not an enumerator of its
+  /// type.
   Shaft(const Box& a, const Box& b, const ShaftOptions& options = {});
 
   /// Adds a half-space that bounds must also meet: the plane of an emitter or a receiver, or a clip plane. A bound that
-  /// is fully outside any one added plane is outside. Throws InvalidArgument for a plane that is not finite or whose
+  /// is fully outside any added half-space is outside. Throws InvalidArgument for a plane that is not finite or whose
   /// normal is zero, and if the shaft has max_added_planes already.
   void add_plane(const Plane& plane);
 
@@ -97,9 +99,9 @@ class SHAFTCULL_EXPORT Shaft {
 /// compiling it take about 180 ns together. No allocation; safe to call from many threads.
 [[nodiscard]] SHAFTCULL_EXPORT CompiledShaft compile(const Shaft& shaft) noexcept;
 
-/// Returns the volume that `plane` cuts off `box`, in the unit of the coordinates, cubed; 0 if it cuts off nothing. One
-/// component of the normal is zero. Throws InvalidArgument unless the plane's faces are two neighbouring ones of 0 to
-/// 5. O(1).
+/// Returns the volume that `plane` cuts off `box`, in cubed units of the coordinates; 0 if it cuts off nothing. One
+/// component of the normal is zero. Throws InvalidArgument unless the plane's faces are two neighbouring faces from
+/// 0 to 5. O(1).
 [[nodiscard]] SHAFTCULL_EXPORT double culled_volume(const Box& box, const JoiningPlane& plane);
 
 }  // namespace shaftcull

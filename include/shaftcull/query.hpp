@@ -15,10 +15,10 @@
 ///
 /// *Errors.* Before anything is written, a query throws NeedsRefit if a tree needs a refit, and InvalidArgument
 ///
-/// * for a shaft that was never formed, by its position among many;
-/// * for a null pointer or span that is not empty, and for bounds of a kind that the verb does not take;
-/// * for an option of the wrong size, an index that is not below the number of bounds, and an option without meaning
-///   for the verb or the bounds;
+/// * for a shaft that was never formed, with its position among many;
+/// * for a null pointer or null span with a size above 0, and for bounds of a kind that the verb does not take;
+/// * for an option of the wrong size, an index that is not below the number of bounds, and an option that does not
+///   apply to the verb or the bounds;
 /// * for an output of the wrong size, or one that shares memory with another output or with an option.
 ///
 /// A query that throws leaves trees unchanged. Queries are safe to make from many threads. They take at most 64 KiB of
@@ -43,8 +43,8 @@
 namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// The bounds of a query: a view, a stream or a tree, of boxes, spheres or triangles; or a dynamic tree. Each of these
-/// converts to Bounds. Bounds refer to the memory of the view or stream, or to the tree, which must live as long as
-/// they are used. Takes a few nanoseconds; no allocation.
+/// converts to Bounds. Bounds refer to the memory of the view or stream, or to the tree, which must live as long as the
+/// Bounds are used. Making Bounds takes a few nanoseconds and allocates nothing.
 class Bounds {
  public:
   // NOLINTBEGIN(google-explicit-constructor): containers convert to Bounds
@@ -66,14 +66,14 @@ class Bounds {
   Bounds(const BoxTree& tree) noexcept : from_(&tree) {}
   Bounds(const SphereTree& tree) noexcept : from_(&tree) {}
   Bounds(const TriangleTree& tree) noexcept : from_(&tree) {}
-  /// A snapshot of a dynamic tree, or its last commit: valid until the next one.
+  /// A snapshot of a dynamic tree; or a dynamic tree itself, which stands for its last commit, until the next commit.
   Bounds(const BoxTreeSnapshot& snapshot) noexcept : from_(&snapshot) {}
   Bounds(const SphereTreeSnapshot& snapshot) noexcept : from_(&snapshot) {}
   Bounds(const DynamicBoxTree& tree) noexcept : Bounds(tree.committed()) {}
   Bounds(const DynamicSphereTree& tree) noexcept : Bounds(tree.committed()) {}
   // NOLINTEND(google-explicit-constructor)
 
-  /// The number of bounds; of a dynamic tree, its index_end().
+  /// The number of bounds; for a dynamic tree, its index_end().
   [[nodiscard]] std::size_t size() const noexcept {  // NOLINT(bugprone-exception-escape): the variant has a value
     return std::visit(
         [](const auto& from) {
@@ -128,7 +128,7 @@ class Numbers {
 };
 
 /// The options of a query. Each option works with views and trees, of boxes, spheres and triangles, unless it states
-/// otherwise. A verb refuses options without meaning for it, by name.
+/// otherwise. A verb refuses an option that does not apply to it, and names the option.
 struct Query {
   static constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();  ///< all results
 
@@ -142,11 +142,11 @@ struct Query {
   /// bit_words(number of bounds) words.
   std::span<const std::uint64_t> exclude_mask{};
   /// Layers to search: a bound in none of them, layers & layer_mask == 0, is left out. One mask for all shafts, or one
-  /// per shaft; empty: layers are ignored. The bounds must have layers (BoundsTree::set_layers(), or the second
+  /// per shaft; if empty, layers are ignored. The bounds must have layers (BoundsTree::set_layers(), or the second
   /// argument of Bounds). A tree skips whole nodes.
   Numbers layer_mask{};
-  /// Maximum number of results per shaft: the query stops after the first that many. Calls that count or list kept
-  /// bounds, and list_occluders(), take this option.
+  /// Maximum number of results per shaft: the query stops after that many. Calls that count or list kept bounds, and
+  /// list_occluders(), take this option.
   std::size_t limit = no_limit;
   /// The bounds to test, by index: the candidates that a larger shaft kept, for example. If not given, all bounds are
   /// tested. Lists keep the order of the candidates. All verbs take this option, except those of occluded.hpp.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Rays: how much two patches see of each other, where visibility() leaves a pair undecided, and how much of a patch is
-/// lit.
+/// Rays, which measure how much two patches see of each other if visibility() leaves the pair undecided, and how much
+/// of a patch is lit.
 #pragma once
 
 #include <cstdint>
@@ -15,56 +15,59 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 struct RayOptions {
   /// Rays per pair of patches, or per patch and light; a multiple of 16 is cast. 1 to 65536.
   std::uint32_t rays = 64;
-  /// A pair gets fewer rays if the estimated standard error of its fraction is at most this: 16 rays first, then as
-  /// many again, and so on. 0: each pair gets all rays.
+  /// A pair gets fewer rays if the estimated standard error of its fraction is at most this: it gets 16 rays first,
+  /// then as many again, and so on. With 0, each pair gets all rays.
   double error = 0;
-  /// Where rays start and end depends on the seed and the pair alone: the numbers of both patches, in their order, or
-  /// of the patch and the light.
+  /// The points where rays start and end depend only on the seed and the pair: the numbers of both patches, in their
+  /// order, or of the patch and the light.
   std::uint64_t seed = 1;
-  /// An occluder whose surface is nearer than this to an end of a ray is what the patch lies on, and blocks the ray
-  /// only if the ray goes further inside. At least 2⁻¹⁹ of the extent of patches and occluders, 0.2 mm for 100 m, and
-  /// 2⁻²² of the largest coordinate, two steps of it: 0.12 m where coordinates are 500,000 m, so move such scenes to
-  /// the origin.
+  /// If the surface of an occluder is nearer than this to an end of a ray, the patch is taken to lie on the occluder.
+  /// The occluder then blocks the ray only if the ray goes further inside. The tolerance is at least 2⁻¹⁹ of the extent
+  /// of patches and occluders, which is 0.2 mm for 100 m, and at least 2⁻²² of the largest coordinate, which is two to
+  /// four float steps of it: 0.12 m where coordinates are 500,000 m. So move such scenes to the origin.
   float tolerance = 0;
 };
 
-/// Writes for each pair the visible fraction, from 0 to 1: of the segments from points of one patch to points of the
-/// other that leave and arrive in front, the share that no candidate blocks. 0 if there are none.
+/// Writes the visible fraction of each pair, from 0 to 1. It is the share of segments that no candidate blocks, among
+/// the segments from points of one patch to points of the other that leave and arrive in front; 0 if there are no such
+/// segments.
 ///
 /// `pairs` are undecided pairs of `a` and `b`, with candidates, as visibility() delivers them; or any pairs with any
 /// occluders. Rays are spread evenly over both patches. A box blocks rays that pass through its inside: it counts as
 /// solid, even if it was added as the box around something. A flat box blocks as a rectangle, a hull as a solid, a
-/// polygon and a triangle as surfaces. What was added by Occluders::add_found() blocks nothing here, since the
-/// triangles do.
+/// polygon and a triangle as surfaces. Solids added by Occluders::add_found() block nothing here, since their triangles
+/// do.
 ///
-/// For 16 rays about 0.3 µs per pair of a city; triangles of a group are in a tree. Runs in parallel if there are many
-/// pairs, in the caller's task_arena; it may be called from VisibilityOptions::resolve. The first call with some
-/// occluders prepares them: O(n log n), 100 bytes per triangle. Fractions are the same bits for any number of threads
-/// and on every instruction set.
+/// For 16 rays, the call takes about 0.3 µs per pair of a city; the triangles of a group are in a tree. Runs in
+/// parallel if there are many pairs, in the caller's task_arena. May be called from VisibilityOptions::resolve. The
+/// first call with an Occluders object prepares it: O(n log n), 100 bytes per triangle. Fractions are the same bits for
+/// any number of threads and on every instruction set.
 ///
-/// Throws InvalidArgument if `fractions` has not one element per pair, if a pair or candidate is out of range, if there
-/// are no candidates (VisibilityOptions::candidates), for options out of range, and for patches that are boxes with an
-/// interior; std::bad_alloc.
+/// Throws InvalidArgument if `fractions` does not have one element per pair, if a pair or candidate is out of range, if
+/// there are no candidates (VisibilityOptions::candidates), for options out of range, and for patches that are boxes
+/// with an interior. Throws std::bad_alloc if memory runs out.
 SHAFTCULL_EXPORT void visible_fractions(const PatchSet& a, const PatchSet& b, const Occluders& occluders,
                                         const UndecidedPairs& pairs, std::span<float> fractions,
                                         const RayOptions& options = {});
 
-/// Writes for each patch and each light the lit fraction, from 0 to 1: the share of the patch from which no occluder
+/// Writes the lit fraction of each patch for each light, from 0 to 1: the share of the patch from which no occluder
 /// hides the light. `directions` point to lights that are infinitely far away, such as the sun; they need not have unit
-/// length. fractions[i · directions.size() + j] is of patch i and light j.
+/// length. fractions[i · directions.size() + j] is for patch i and light j.
 ///
-/// 0 if the patch has no area, or does not see on the side of the light: also if the light is in its plane. A patch
-/// that is seen from both sides is lit on either. Otherwise 1, without rays, if no occluder's box is in the way; and
-/// the share of rays, which are spread evenly over the patch, that no occluder blocks. Occluders block rays as in
-/// visible_fractions().
+/// The fraction is 0 if the patch has no area or does not face the light; a patch with the light in its plane does not
+/// face it. A patch that is seen from both sides is lit on either side. Otherwise, the fraction is 1, without rays, if
+/// no occluder's box is in the way; if some box is, it is the share of rays that no occluder blocks. Rays are spread
+/// evenly over the patch. Occluders block rays as in visible_fractions().
 ///
-/// With 64 rays the error is about 0.02 where half is lit. About 1 to 2 µs per patch and light of a city, by 64 rays.
-/// Prepares patches and occluders as visible_fractions() does, and builds a tree of the occluders in each call:
-/// O(n log n), 30 bytes per occluder. Runs in parallel over patches, in the caller's task_arena. Fractions are the same
-/// bits for any number of threads and on every instruction set. Extents from 10⁻³⁶ to 10³⁷.
+/// With 64 rays, the error is about 0.02 where half of the patch is lit. About 1 to 2 µs per patch and light of a city,
+/// with 64 rays. Prepares patches and occluders as visible_fractions() does, and builds a tree of the occluders in each
+/// call: O(n log n), 30 bytes per occluder. Runs in parallel over patches, in the caller's task_arena. Fractions are
+/// the same bits for any number of threads and on every instruction set. The scene may have an extent from 10⁻³⁶ to
+/// 10³⁷.
 ///
-/// Throws InvalidArgument for a direction that is 0 or not finite, if `fractions` has not one element for each patch
-/// and direction, for options out of range, and for patches that are boxes with an interior; std::bad_alloc.
+/// Throws InvalidArgument for a direction that is 0 or not finite, if `fractions` does not have one element for each
+/// patch and direction, for options out of range, and for patches that are boxes with an interior. Throws
+/// std::bad_alloc if memory runs out.
 SHAFTCULL_EXPORT void lit_fractions(const PatchSet& patches, const Occluders& occluders,
                                     std::span<const Vec3> directions, std::span<float> fractions,
                                     const RayOptions& options = {});

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-/// Results of queries: counts, bits, lists; and the rule for results that do not fit.
+/// Results of queries: counts, bits and lists, and the rule for results that do not fit.
 ///
 /// A call that lists into a span returns the number of results, whether they fit or not. It writes the first results,
 /// as many as fit, and only counts the others. If the number is larger than the span, call again with a span of that
-/// size. An empty span is legal: the call then counts. Elements behind the last result may be overwritten.
+/// size. An empty span is legal: the call then counts. Elements after the last result may be overwritten.
 ///
 /// A call that lists into a vector or into IndexLists makes room itself. A call that writes bits, or one number per
 /// shaft, takes a span of exactly the right size, and throws InvalidArgument for any other.
@@ -23,8 +23,8 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// The answer of a shaft for one bound.
 enum class Answer : std::uint8_t {
   outside,  ///< no point of the bound is in the shaft
-  overlap,  ///< some points of the bound are, or it touches the shaft
-  inside,   ///< all points of the bound are
+  overlap,  ///< some points of the bound are in the shaft, or the bound touches it
+  inside,   ///< all points of the bound are in the shaft
 };
 
 /// The number of bounds with each answer. A shaft keeps overlap + inside.
@@ -84,7 +84,7 @@ class BitView {
   };
 
   constexpr BitView() noexcept = default;
-  /// A view of these words. Bits behind the last bound must be zero, as all calls leave them.
+  /// A view of these words. Bits past the last bound must be zero, as all calls leave them.
   constexpr explicit BitView(std::span<const std::uint64_t> words) noexcept : words_(words) {}
 
   /// Bit i, which is below 64 times the number of words; not checked.

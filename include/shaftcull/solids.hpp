@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Solids: found in the triangles of a mesh, larger boxes from many, and one box inside a turned solid.
+/// Solids: how to find them in the triangles of a mesh, to join many boxes into larger ones, and to find a box inside a
+/// turned solid.
 #pragma once
 
 #include <cstddef>
@@ -18,29 +19,30 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// The order is not that of `boxes`.
 ///
 /// O(n log n) for the walls of a building. A grid of many small boxes takes more time and temporary memory, as there
-/// are many ways to join them. Allocates the result and O(n) temporary memory. Throws BadBound for a box that is not
-/// finite with lo ≤ hi, by its position; InvalidArgument for a null span; std::bad_alloc.
+/// are many ways to join them. Allocates the result and O(n) temporary memory. Throws BadBound, with the position, for
+/// a box that is not finite or has lo > hi. Throws InvalidArgument for a null span, and std::bad_alloc if memory runs
+/// out.
 [[nodiscard]] SHAFTCULL_EXPORT std::vector<Box> merged_boxes(std::span<const Box> boxes);
 
-/// Returns a large box inside the convex hull of 4 to 32 points. A search finds the box, so a larger one may exist; it
-/// is the same on every machine for the same points. The box lies in the hull exactly: no coordinate is rounded
+/// Returns a large box inside the convex hull of 4 to 32 points. A search finds the box, so a larger one may exist. For
+/// the same points, the result is the same on every machine. The box lies in the hull exactly: no coordinate is rounded
 /// outwards. If the hull is flat, or too thin for floats, the result is one of `corners`, as a box.
 ///
 /// O(n³): about 10 µs for 8 points, 0.5 ms for 32. Allocates temporary memory. Throws InvalidArgument for another
-/// number of points, and for a point that is not finite; std::bad_alloc.
+/// number of points, and for a point that is not finite. Throws std::bad_alloc if memory runs out.
 [[nodiscard]] SHAFTCULL_EXPORT Box inscribed_box(std::span<const Vec3> corners);
 
-/// Blockers found in triangles: each is proven to hide something that the triangles hide. Occluders::add_found()
-/// (visibility.hpp) takes them.
+/// Solids found in triangles: bodies, polygons and boxes, each proven to hide only what the triangles hide.
+/// Occluders::add_found() (visibility.hpp) takes them.
 struct FoundSolids {
   /// Corners of convex bodies, body after body. Body i has hull_corners[first_hull_corner[i] …
   /// first_hull_corner[i + 1]), 4 to 256 of them.
   std::vector<Vec3> hull_corners;
-  std::vector<std::size_t> first_hull_corner{0};  ///< where the corners of each body begin; then the last end
-  /// Corners of flat convex polygons, in the same manner: 3 or more per polygon, counterclockwise as seen from the
+  std::vector<std::size_t> first_hull_corner{0};  ///< where each body's corners begin; then the end of the last
+  /// Corners of flat convex polygons, polygon after polygon: 3 or more per polygon, counterclockwise as seen from the
   /// front.
   std::vector<Vec3> polygon_corners;
-  std::vector<std::size_t> first_polygon_corner{0};  ///< where the corners of each polygon begin; then the last end
+  std::vector<std::size_t> first_polygon_corner{0};  ///< where each polygon's corners begin; then the end of the last
   std::vector<Box> inner_boxes;                      ///< boxes inside bodies that are not convex
 
   /// The number of convex bodies.
@@ -52,39 +54,40 @@ struct FoundSolids {
 
 /// Options of find_solids().
 struct SolidSearch {
-  /// Blockers narrower than this are left out: they hide nothing of patches that are all larger. The width is the
-  /// second largest extent of a body or box, and the area of a polygon by the diagonal of its box.
+  /// Solids narrower than this are left out, since they hide nothing if all patches are larger. The width of a body or
+  /// box is its second largest extent. The width of a polygon is its area divided by the diagonal of its box.
   float least_width = 0;
-  /// Whether closed surfaces are the surfaces of bodies. Set it to false where patches see on both sides, or where
-  /// triangles have no reliable orientation: then polygons alone are found.
+  /// Whether closed surfaces are the surfaces of bodies. Set it to false if patches see on both sides, or if triangles
+  /// have no reliable orientation: then only polygons are found.
   bool bodies = true;
 };
 
-/// Finds what the triangles of a mesh hide by themselves: nobody need say which objects are solid. Vertices at the same
-/// position are one vertex, so a mesh may be one object or many, with shared vertices or without.
+/// Finds the solids that the triangles of a mesh form, so that the caller need not mark which objects are solid.
+/// Vertices at the same position are one vertex, so a mesh may be one object or many, with shared vertices or without.
 ///
 /// A *part* is a set of triangles that are connected across edges. A part is *closed* if each of its edges has a
 /// triangle on both sides, and both run along it in opposite directions.
 ///
 /// * A closed part whose faces look outwards is the surface of a body of matter. If it is convex, it is found as a hull
-///   with all of its corners, or 256 of them. Corners of a turned body are rounded, so few are convex exactly: the hull
-///   then lies within the body, by a 250th of its size at most.
+///   with all of its corners, or 256 of them. Corners of a turned body are rounded, so few such bodies are exactly
+///   convex. The corners of the hull are then moved towards the middle, by at most a 250th of the way, so that the hull
+///   lies within the body.
 /// * If such a part is not convex, up to 16 of the larger boxes inside it are found. There may be still larger ones.
-/// * A closed part that has another part wholly inside it is a shell, as of a building with rooms, and no body. Nor is
-///   a room, whose faces look inwards. Nor is a part that is not closed.
-/// * In parts that are no convex bodies, neighbours in one plane that form a convex polygon are found as a polygon. If
-///   they form another polygon, it is cut into convex ones. Neighbours that are in one plane except for rounding are
-///   joined in pairs. A triangle that is not joined is a polygon as well.
+/// * A closed part that has another part wholly inside it is a shell, such as that of a building with rooms, and not a
+///   body. A room, whose faces look inwards, is not a body, and neither is a part that is not closed.
+/// * In parts that are not convex bodies, neighbouring triangles in one plane that form a convex polygon are found as
+///   that polygon. If they form another polygon, it is cut into convex ones. Neighbours that lie in one plane only up
+///   to rounding are joined in pairs. A triangle that is not joined is a polygon as well.
 ///
 /// Everything found is proven in exact arithmetic, whatever the triangles are. A segment that passes through a found
 /// polygon from one side to the other passes through a triangle. So does a segment that passes through the interior of
 /// a found hull or box and begins or ends outside the part. Triangles without area, slivers, duplicates and T-junctions
-/// make a part less closed, and less is found.
+/// can keep a part from being closed, and then fewer solids are found.
 ///
 /// The result is the same on every machine for the same triangles in the same order. O(n log n): about 0.3 s for
 /// 100,000 triangles. Allocates about 500 bytes per triangle while it runs. Throws BadBound, with the position, for a
 /// triangle that is not finite. Throws InvalidArgument as TriangleStream does, for 2³⁰ triangles or more, and for
-/// options out of range; std::bad_alloc.
+/// options out of range. Throws std::bad_alloc if memory runs out.
 [[nodiscard]] SHAFTCULL_EXPORT FoundSolids find_solids(const TriangleView& triangles, const SolidSearch& search = {});
 [[nodiscard]] SHAFTCULL_EXPORT FoundSolids find_solids(const MeshView& mesh, const SolidSearch& search = {});
 

@@ -19,11 +19,12 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// `count` boxes in the user's memory as six separate streams of floats: lo x, lo y, lo z, hi x, hi y, hi z.
 ///
-/// Any alignment of a float, any count from 0 up; nothing past `count` is read. Streams of an empty view may be null;
-/// otherwise a call throws InvalidArgument for a null stream. The user's memory must outlive the call.
+/// Streams may have any alignment of a float, and any count from 0 up; nothing past `count` is read. Streams of an
+/// empty view may be null; otherwise a call throws InvalidArgument for a null stream. The user's memory must outlive
+/// the call.
 ///
 /// Values are not checked. A NaN coordinate never makes a box outside, and a box with a NaN is never inside. A box with
-/// lo > hi, except the empty box, gets an unspecified answer: the same on every instruction set, but maybe not in both
+/// lo > hi, except the empty box, gets an unspecified answer: the same on every instruction set, but not always in both
 /// forms (Form in compiled.hpp).
 struct BoxView {
   std::array<const float*, 6> stream{};  ///< in the order above
@@ -90,12 +91,12 @@ struct StridedSpheres {
 [[nodiscard]] SHAFTCULL_EXPORT StridedBoxes strided(std::span<const Box> boxes) noexcept;
 [[nodiscard]] SHAFTCULL_EXPORT StridedSpheres strided(std::span<const Sphere> spheres) noexcept;
 
-/// Boxes in memory of their own: six streams, each aligned to a cache line. 24 bytes per box, and at most 63 boxes of
-/// padding, so that streams end with a whole word of answers; 64 more if streams would be a multiple of 1 MiB apart.
-/// Copies are deep, O(size()). Moves are O(1) and leave an empty stream.
+/// Boxes in memory of their own: six streams, each aligned to a cache line. A stream takes 24 bytes per box, and at
+/// most 63 boxes of padding, so that it ends with a whole word of answers. It takes 64 boxes more if the six streams
+/// would be a multiple of 1 MiB apart. Copies are deep, O(size()). Moves are O(1) and leave an empty stream.
 ///
 /// Constructors take O(count) and allocate once, or not at all for a count of 0. They throw InvalidArgument for null
-/// memory of more than 0 boxes; std::bad_alloc if memory runs out; and its subclass std::bad_array_new_length for a
+/// memory with more than 0 boxes, std::bad_alloc if memory runs out, and its subclass std::bad_array_new_length for a
 /// count that no memory can hold.
 ///
 /// *Packing*, which copies bounds into a stream, throws BadBound for a NaN, lo > hi (except the empty box), a negative
@@ -116,8 +117,9 @@ class SHAFTCULL_EXPORT BoxStream {
   BoxStream& operator=(BoxStream other) noexcept;
   ~BoxStream() = default;
 
-  /// Replaces the boxes from `first` on by the given boxes, in place and without allocation. O(their count). Throws
-  /// BadBound as above; InvalidArgument for a range not within size(), and for memory that is null or in the stream.
+  /// Replaces the boxes from `first` on with the given boxes, in place and without allocation.
+  /// O(number of given boxes). Throws BadBound as above. Throws InvalidArgument for a range that is not within size(),
+  /// and for memory that is null or belongs to the stream.
   void update(std::size_t first, std::span<const Box> boxes);
   void update(std::size_t first, const StridedBoxes& boxes);
   void update(std::size_t first, const StridedCentreExtents& boxes);
@@ -143,7 +145,7 @@ class SHAFTCULL_EXPORT BoxStream {
     void operator()(float* rows) const noexcept;
   };
 
-  /// `count` boxes that the caller has to write. The constructor writes the padding behind them.
+  /// Makes `count` boxes, which the caller has to write. The constructor writes the padding after them.
   BoxStream(NotWritten, std::size_t count);
 
   std::unique_ptr<float[], Free> memory_;  // six rows, one after the other
@@ -151,8 +153,8 @@ class SHAFTCULL_EXPORT BoxStream {
 };
 
 /// Spheres in memory of their own: four aligned streams, 16 bytes per sphere, and padding as in BoxStream. Packing
-/// throws BadBound for a NaN, a centre that is not finite or a negative radius. So does building a tree: first update
-/// all empty spheres of a SphereStream(count).
+/// throws BadBound for a NaN, a centre that is not finite or a negative radius. Building a tree throws it, too: first
+/// replace all empty spheres of a SphereStream(count).
 class SHAFTCULL_EXPORT SphereStream {
  public:
   SphereStream() noexcept = default;

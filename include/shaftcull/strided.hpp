@@ -6,8 +6,8 @@
 ///     BoxStream boxes(strided(objects, &Object::lo, &Object::hi));
 ///
 /// Results refer to the array, which must outlive their use. The compiler checks member types. For members of other
-/// types, and for records that no C++ type describes, use StridedBoxes and its like in streams.hpp, with bytes and a
-/// stride.
+/// types, and for records that no C++ type describes, use StridedBoxes and similar structs in streams.hpp, with
+/// addresses and a stride in bytes.
 #pragma once
 
 #include <concepts>
@@ -27,7 +27,8 @@ concept FromThreeFloats = requires {
   T{0.0F, 0.0F, 0.0F};
 };
 
-/// A type that can hold x, y and z: float[3], std::array<float, 3>, or a class made of three floats and as large.
+/// A type that can hold x, y and z: float[3], std::array<float, 3>, or a class that can be made from three floats and
+/// has their size.
 template <class T>
 concept ThreeFloats = std::same_as<T, float[3]> ||
     (FromThreeFloats<T>&& std::is_class_v<T>&& std::is_standard_layout_v<T> && sizeof(T) == 3 * sizeof(float));

@@ -14,7 +14,7 @@
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 
-/// The types of many bounds of one kind: as streams, and as records.
+/// The types that hold many bounds of one kind: as streams, and as records.
 template <class Bound>
 using ViewOf = std::conditional_t<std::is_same_v<Bound, Box>, BoxView, SphereView>;
 template <class Bound>
@@ -27,12 +27,12 @@ using StridedOf = std::conditional_t<std::is_same_v<Bound, Box>, StridedBoxes, S
 ///
 /// Memory: the bounds, 4 bytes per bound for their order, and less than 2 % of both for nodes (spheres 2.5 %). The
 /// first update by index or query with Query::only adds 4 bytes per bound, and layers add 4. A tree holds at most
-/// 2³² − 1 bounds; InvalidArgument for more. For more bounds, build one tree per slice, and add the start of the slice
-/// to the indices in its results.
+/// 2³² − 1 bounds; more throw InvalidArgument. For more bounds, build one tree per slice, and add the start of the
+/// slice to the indices in its results.
 ///
-/// Building takes scratch memory, and frees it before it returns: 56 bytes per box and 48 per sphere. A tree of 2²¹
-/// bounds or more is built region by region in its final memory: that takes at most 8 bytes per box, 12 per sphere, and
-/// 1 MiB per thread. Such a tree asks the system for huge pages.
+/// Building takes scratch memory, and frees it before it returns: 56 bytes per box and 48 per sphere. A tree of
+/// 2²¹ bounds or more is built region by region in its final memory: that takes at most 8 bytes per box, 12 per sphere,
+/// and 1 MiB per thread. Such a tree requests huge pages from the system.
 ///
 /// Bounds come from views and streams, from records of all kinds, and from arrays. They are checked as in packing: a
 /// NaN, lo > hi (except the empty box), a negative radius or half extent, a centre and half extent that are both
@@ -76,21 +76,21 @@ class BoundsTree {
   [[nodiscard]] std::size_t memory_bytes() const noexcept;
   /// The bounds in tree order, with updates. Valid until the tree is assigned to, moved from, rebuilt or destroyed.
   [[nodiscard]] View leaves() const noexcept;
-  /// The box around all bounds: the smallest around boxes, and within rounding around spheres. The empty box if there
-  /// are no bounds. O(1). Throws NeedsRefit if needs_refit().
+  /// The smallest box around all bounds; for spheres, the smallest up to rounding. The empty box if there are no
+  /// bounds. O(1). Throws NeedsRefit if needs_refit().
   [[nodiscard]] Box box() const;
   /// order()[p] is the user's index of leaf p. Valid as long as leaves().
   [[nodiscard]] std::span<const std::uint32_t> order() const noexcept;
 
-  /// Replaces every bound i by the value at i, and refits, in one pass. Records are faster than separate streams, since
-  /// tree order jumps about in the user's memory. Throws InvalidArgument for another number of values than size(), or
-  /// if they are the tree's own leaves().
+  /// Replaces every bound i with the value at i, and refits, in one pass. Records are faster than separate streams,
+  /// since tree order jumps about in the user's memory. Throws InvalidArgument if the number of values is not size(),
+  /// or if the values are the tree's own leaves().
   void update(const View& all);
   void update(const Records& all);
   void update(std::span<const Bound> all);
   void update(const StridedCentreExtents& all) requires std::is_same_v<Bound, Box>;
 
-  /// Replaces bound indices[i] by the value at i; if an index occurs twice, the last value counts. Queries throw
+  /// Replaces bound indices[i] with the value at i; if an index occurs twice, the last value counts. Queries throw
   /// NeedsRefit until refit() is called. O(indices.size()), except the first call, which is O(size()). Throws
   /// InvalidArgument for an index that is not below size(), if the numbers of indices and values differ, or if the
   /// values are among the tree's own leaves().
@@ -111,7 +111,7 @@ class BoundsTree {
   /// refit(), rebuild(), copies and reorder(). The call replaces all earlier layers. Throws InvalidArgument unless
   /// layers.size() is size(). O(size()).
   void set_layers(std::span<const std::uint32_t> layers);
-  /// Replaces the layers of bound indices[i] by layers[i]; if an index occurs twice, the last value counts.
+  /// Replaces the layers of bound indices[i] with layers[i]; if an index occurs twice, the last value counts.
   /// O(indices.size()), except the first such call, which is O(size()) unless bounds were updated by index before.
   /// Throws InvalidArgument unless has_layers(), for an index that is not below size(), or if the two sizes differ.
   void set_layers(std::span<const std::uint32_t> indices, std::span<const std::uint32_t> layers);
@@ -124,19 +124,20 @@ class BoundsTree {
   [[nodiscard]] std::span<const std::uint32_t> layers() const noexcept;
 
   /// The growth of the smallest nodes, those just above the bounds, since the tree was built or rebuilt: the sum of
-  /// their surfaces, divided by the sum then; 1 at first. Queries slow down somewhat less than this ratio grows; at 2
-  /// or 3 a rebuild() pays. Infinite nodes are left out. +∞ if the sum was 0 and is not 0 now. O(size() / 64). Throws
-  /// NeedsRefit if needs_refit().
+  /// their surfaces now, divided by the sum then; 1 at first. Queries slow down somewhat less than this ratio grows; at
+  /// 2 or 3 a rebuild() pays off. Infinite nodes are left out. +∞ if the sum was 0 and is not 0 now. O(size() / 64).
+  /// Throws NeedsRefit if needs_refit().
   [[nodiscard]] double sah_ratio() const;
 
   /// Sorts the present bounds again, and refits. The tree becomes the tree that would be built from the same bounds
   /// with the same indices, whatever happened to it before, so a second rebuild() moves nothing. Indices stay; order()
-  /// changes. O(n log n). Takes as long and as much memory as building; from 2²¹ bounds on, also a copy of the bounds.
+  /// changes. O(n log n). Takes the time and the memory of building; from 2²¹ bounds on, it also makes a copy of the
+  /// bounds.
   void rebuild();
 
-  /// Renumbers the bounds in tree order: the index of leaf p becomes p. For users who have sorted their own objects by
-  /// order(), as they should if all objects move: update() then reads their memory from front to back, twice as fast.
-  /// With other indices, a rebuild() may find another order.
+  /// Renumbers the bounds in tree order: the index of leaf p becomes p. Use it if you have sorted your own objects by
+  /// order(), which is worthwhile if all objects move: update() then reads your memory from front to back, twice as
+  /// fast. Since indices are different afterwards, a rebuild() may find another order.
   void reorder() noexcept;
 
  private:

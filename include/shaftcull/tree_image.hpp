@@ -38,7 +38,7 @@ enum class ImageCheck : std::uint8_t {
 };
 
 /// A tree that lies in an image, without a copy. A tree in a file can be queried as soon as the file is mapped into
-/// memory, and processes that share the memory share the tree. Queries take tree() as any other tree, with the same
+/// memory, and processes that share the memory share the tree. Queries accept tree() like any other tree, with the same
 /// answers in the same order, at the same speed.
 ///
 /// The image is only read, so it may be in read-only memory. It must outlive this object. tree() is const; a copy of

@@ -3,9 +3,9 @@
 ///
 /// The box around a slanted triangle is larger than the triangle, so shafts keep more boxes of triangles than
 /// triangles. The queries here test the triangles themselves, in one of two ways (TriangleTest). The test *by vertices*
-/// costs little more than a test of the box around a triangle, and pays where planes were added to a shaft: a triangle
-/// is beyond a plane if its vertices are. The *exact* test finds every triangle outside that has no point in common
-/// with the shaft.
+/// costs little more than a test of the box around a triangle, and pays off where planes were added to a shaft: a
+/// triangle is beyond a plane if its vertices are. By the *exact* test, every triangle that has no point in common with
+/// the shaft is outside.
 ///
 /// Answers of both tests are exact, the same bits on every instruction set. For all finite floats:
 ///
@@ -15,8 +15,9 @@
 ///   added planes, or all three vertices are beyond one added plane. Touching is not outside.
 ///
 /// Triangles may be degenerate: segments and points, with vertices repeated or collinear. Shafts may be flat, and of
-/// all kinds that boxes are tested with (volumes.hpp), and convex hulls (hull.hpp). By `vertices`, a hull with
-/// HullTest::conservative tests boxes around triangles as it tests boxes; `exact` is exact for it, too.
+/// every kind that boxes are tested with: shafts of moving boxes (volumes.hpp) and convex hulls (hull.hpp), too. By
+/// `vertices`, a hull with HullTest::conservative tests boxes around triangles as it tests boxes; `exact` is exact for
+/// it, too.
 ///
 /// With open contact (set_contact() in compiled.hpp), a triangle that only touches the shaft is outside. By `vertices`,
 /// it is outside if the box around it is outside; by `exact`, if the relative interiors of shaft and triangle have no
@@ -24,9 +25,9 @@
 /// triangle is the triangle without its edges; of a segment, the segment without its ends; of a point, the point.
 ///
 /// Values of a raw view are not checked. The box around the vertices ignores NaN coordinates. If all three coordinates
-/// of an axis are NaN, the triangle is *empty*, and outside every shaft. A vertex is not beyond an added plane that
-/// reads a coordinate of the vertex that is not finite. A triangle with a coordinate that is not finite is answered by
-/// vertices, even in the exact test.
+/// of an axis are NaN, the triangle is *empty*, and outside every shaft. A vertex with a coordinate that is not finite
+/// is not beyond an added plane whose test reads that coordinate. A triangle with a coordinate that is not finite is
+/// answered by vertices, even in the exact test.
 ///
 /// A triangle is inside iff its three vertices are inside, as points, since a shaft is convex. With open contact it
 /// must be kept, too. Queries, options and errors are those of all bounds (cull.hpp, many.hpp, query.hpp).
@@ -101,11 +102,11 @@ struct MeshView {
 /// leave an empty stream.
 ///
 /// Constructors take O(count) and allocate once, or not at all for a count of 0. They throw InvalidArgument for null
-/// memory of more than 0 triangles or vertices, for a number of indices that is not a multiple of three, and for an
-/// index that is not below the number of vertices; std::bad_alloc if memory runs out; and std::bad_array_new_length for
-/// a count that no memory can hold. Packing throws BadBound, with the position of the first bad triangle, for a
-/// coordinate that is not finite. Every exception leaves the stream unchanged. Const members are safe to call from many
-/// threads, and so is update() of disjoint ranges.
+/// memory with more than 0 triangles or vertices, for a number of indices that is not a multiple of three, and for an
+/// index that is not below the number of vertices. They throw std::bad_alloc if memory runs out, and
+/// std::bad_array_new_length for a count that no memory can hold. Packing throws BadBound, with the position of the
+/// first bad triangle, for a coordinate that is not finite. Every exception leaves the stream unchanged. Const members
+/// are safe to call from many threads, and so is update() of disjoint ranges.
 class SHAFTCULL_EXPORT TriangleStream {
  public:
   TriangleStream() noexcept = default;
@@ -120,8 +121,9 @@ class SHAFTCULL_EXPORT TriangleStream {
   TriangleStream& operator=(TriangleStream other) noexcept;
   ~TriangleStream() = default;
 
-  /// Replaces the triangles from `first` on by the given ones, in place and without allocation. O(their count). Throws
-  /// as above; InvalidArgument also for a range not within size(), and for memory that is null or in the stream.
+  /// Replaces the triangles from `first` on with the given triangles, in place and without allocation.
+  /// O(number of given triangles). Throws as above. Throws InvalidArgument also for a range that is not within size(),
+  /// and for memory that is null or belongs to the stream.
   void update(std::size_t first, std::span<const Triangle> triangles);
   void update(std::size_t first, const TriangleView& triangles);
   void update(std::size_t first, const MeshView& mesh);
@@ -152,7 +154,7 @@ class SHAFTCULL_EXPORT TriangleStream {
   TriangleView view_;                      // a view of these rows
 };
 
-/// Triangles in memory of their own, sorted so that neighbours in space are neighbours in memory. Each 32 triangles
+/// Triangles in memory of their own, sorted so that neighbours in space are neighbours in memory. Every 32 triangles
 /// form a *chunk*. Queries skip whole chunks by a BoxTree of the boxes around them. Answers equal those of a view.
 ///
 /// If triangles move, update() gives them new values. They stay in their chunks, whose boxes become larger; rebuild()
@@ -189,14 +191,15 @@ class SHAFTCULL_EXPORT TriangleTree {
   /// The smallest box around all triangles; the empty box if there are none. O(1). Throws NeedsRefit if needs_refit().
   [[nodiscard]] Box box() const;
 
-  /// Replaces every triangle i by the one at i, and refits. O(n), in parallel; allocates twice the triangles for the
-  /// time of the call. Throws InvalidArgument for another number of triangles than size().
+  /// Replaces every triangle i with the given triangle i, and refits. O(n), in parallel. During the call, it allocates
+  /// twice the memory of the triangles. Throws InvalidArgument if the number of given triangles is not size().
   void update(std::span<const Triangle> all);
   void update(const TriangleView& all);
   void update(const MeshView& all);
-  /// Replaces triangle indices[i] by the one at i; if an index occurs twice, the last one counts. Queries throw
-  /// NeedsRefit until refit() is called. O(32 · indices.size()), except the first call, which is O(size()). Throws
-  /// InvalidArgument for an index that is not below size(), or if the numbers of indices and triangles differ.
+  /// Replaces triangle indices[i] with the given triangle i; if an index occurs twice, the last triangle counts.
+  /// Queries throw NeedsRefit until refit() is called. O(32 · indices.size()), except the first call, which is
+  /// O(size()). Throws InvalidArgument for an index that is not below size(), or if the numbers of indices and
+  /// triangles differ.
   void update(std::span<const std::uint32_t> indices, std::span<const Triangle> triangles);
   void update(std::span<const std::uint32_t> indices, const TriangleView& triangles);
   void update(std::span<const std::uint32_t> indices, const MeshView& triangles);
@@ -205,11 +208,12 @@ class SHAFTCULL_EXPORT TriangleTree {
   /// Whether triangles were updated by index since the last refit.
   [[nodiscard]] bool needs_refit() const noexcept;
 
-  /// The growth of the boxes around chunks since the tree was built or rebuilt: the sum of their surfaces, divided by
-  /// the sum then; 1 at first. At 2 or 3 a rebuild() pays. Infinite boxes are left out. +∞ if the sum was 0 and is not
-  /// 0 now. For a copy of a tree in an image, since the copy. O(size() / 32). Throws NeedsRefit if needs_refit().
+  /// The growth of the boxes around chunks since the tree was built or rebuilt: the sum of their surfaces now, divided
+  /// by the sum then; 1 at first. At 2 or 3 a rebuild() pays off. Infinite boxes are left out. +∞ if the sum was 0 and
+  /// is not 0 now. For a copy of a tree in an image, growth counts from the copy. O(size() / 32). Throws NeedsRefit if
+  /// needs_refit().
   [[nodiscard]] double sah_ratio() const;
-  /// Sorts the present triangles again. Indices stay; order() changes. Takes as long and as much memory as building.
+  /// Sorts the present triangles again. Indices stay; order() changes. Takes the time and the memory of building.
   void rebuild();
   /// Renumbers the triangles in tree order: the index of triangle p of triangles() becomes p. O(n).
   void reorder() noexcept;

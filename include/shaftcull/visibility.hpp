@@ -1,53 +1,59 @@
 // SPDX-License-Identifier: MIT
 /// Visibility: which pairs of patches see each other for certain, which cannot, and which need a closer look.
 ///
-/// A *patch* is a convex polygon by its corners, as a facet of a wall is, or a box: that of a point, or of a cell of a
-/// receiving volume. A polygon faces one side of its plane, or both sides (PatchSides): then it faces any patch that
-/// lies on one side of its plane up to the tolerance, or of all its planes, and has no plane for one that reaches to
-/// both sides. A box may have a plane. *Occluders* stand between patches.
+/// A *patch* is a convex polygon, given by its corners, such as a facet of a wall; or a box, such as a point or a cell
+/// of a receiving volume. A polygon faces one side of its plane, or both sides (PatchSides). A polygon that faces both
+/// sides faces any patch that lies on one side of its plane, or of all its planes, up to the tolerance; for a patch
+/// that reaches to both sides, it counts as having no plane. A box may have a plane. *Occluders* stand between patches.
 ///
-/// Each pair gets one of four answers, in which the box of a polygon is the one around it:
+/// Each pair of patches gets one of four answers. In their definitions, the box of a polygon is the box around it:
 ///
-/// * `facing_away`: all corners of one patch lie on or behind the plane of the other patch, or in that plane if it is
-///   seen from both sides.
+/// * `facing_away`: all corners of one patch lie on or behind the plane of the other patch, or in that plane if the
+///   other patch is seen from both sides.
 /// * `occluded`: one solid hides each patch from the other. Every segment between the relative interiors of the patches
-///   passes through its interior. So a wall that ends flush with floor and ceiling hides what is behind it. Segments
-///   that touch a solid only at the rim of both patches have measure zero: no light passes along them (occluded.hpp).
+///   passes through the interior of the solid. So a wall that ends flush with floor and ceiling hides the patches
+///   behind it. Segments that only touch a solid, at the rim of both patches, have measure zero: no light passes along
+///   them (occluded.hpp).
 /// * `clear`: no occluder reaches into the shaft between the two boxes, in front of both planes.
-/// * `undecided`: none of the three. The *candidates* are the occluders that reach into the shaft: rays need no others.
+/// * `undecided`: none of these three. The *candidates* are the occluders that reach into the shaft: rays need to test
+///   no others.
 ///
-/// A *solid* is a solid box, or a solid hull, or a larger box that several boxes form together, as merged_boxes() finds
-/// it (solids.hpp). The boxes that inscribed_box() finds inside solid hulls (solids.hpp) are among these boxes. A hull
-/// that has all corners of the box around it is this solid box. Others without an interior hide nothing. A polygon has
-/// no interior: it hides two patches if every segment between their relative interiors passes from one side of its
-/// plane to the other, within its edges.
+/// A *solid* is a solid box, a solid hull, or a larger box that several boxes form together, as merged_boxes() finds it
+/// (solids.hpp). The boxes that inscribed_box() finds inside solid hulls (solids.hpp) are among the boxes that form
+/// larger ones. A hull that has all corners of the box around it counts as that solid box. Other hulls without an
+/// interior hide nothing. A polygon has no interior, but can hide patches: it hides two patches if every segment
+/// between their relative interiors passes from one side of its plane to the other, within its edges.
 ///
 /// A patch of a turned wall, whose corners are rounded, may lie a little behind the wall. So a polygon hides no patch
 /// that lies in its plane, up to VisibilityOptions::tolerance. A hull hides two patches only if, for each of its faces,
-/// one of the two lies exactly on or behind the plane of the face, and a corner of it is behind by more than the
-/// tolerance.
+/// one of the two patches lies exactly on or behind the plane of the face, and a corner of that patch is behind it by
+/// more than the tolerance.
 ///
 /// Answers are exact for the floats given: these definitions alone determine the undecided pairs and their candidates.
 /// A pair that faces away or is occluded is never reported as `clear`. A pair that both faces away and is occluded gets
-/// either answer, the same on every instruction set and for any number of threads. It may get the other one if the two
-/// sets are exchanged.
+/// either answer, the same on every instruction set and for any number of threads. It may get the other of these two
+/// answers if the two sets are exchanged.
 ///
-/// An occluder reaches into the shaft if cull() with open contact (Contact in compiled.hpp) keeps the box around it,
-/// and, with either contact, if neither plane has all corners of the occluder on it or behind it. The corners of a box,
-/// solid or not, are its eight corners. The corners of a hull or a polygon are the given points, not the corners of the
-/// box around it. The corners of triangles are their vertices. A group of neighbouring triangles is one occluder: it
-/// lies behind a plane if all vertices of the group do. A patch with corners that are slightly out of plane has several
-/// planes; whatever lies behind it lies behind all of them. "Behind" is up to VisibilityOptions::tolerance.
+/// An occluder reaches into the shaft if cull() keeps the box around it, by default with open contact
+/// (VisibilityOptions::contact), and if, with either contact, neither plane has all corners of the occluder on it or
+/// behind it. The corners of a box, solid or not, are its eight corners. The corners of a hull or a polygon are the
+/// given points, not the corners of the box around it. The corners of triangles are their vertices. A group of
+/// neighbouring triangles is one occluder: it lies behind a plane if all vertices of the group do. A patch with corners
+/// that are slightly out of plane has several planes; an object lies behind the patch if it lies behind all of them.
+/// "Behind" is up to VisibilityOptions::tolerance.
 ///
-/// If a patch of the pair is not the box around it, the shaft between the patches is narrower than the one between
-/// their boxes. Then an occluder does not reach into it either if all corners of the occluder lie on or behind a plane
-/// (with closed contact: behind it) that goes through an edge of one patch and a corner of the other, and that has no
-/// corner of the two behind it and one in front. A turned wall is told apart from its box in this way.
+/// If a patch of the pair is not identical to the box around it, the shaft between the patches is narrower than the
+/// shaft between their boxes. Then an occluder also does not reach into the shaft if all its corners lie on or behind
+/// some plane (with closed contact: behind it) with these two properties: it goes through an edge of one patch and a
+/// corner of the other; and of the corners of the two patches, none is behind it and one is in front. This test
+/// distinguishes a turned wall from the box around it.
 ///
-/// A group of at most 64 triangles must reach in by one of them, too: by the box around a triangle, in front of both
-/// planes, and, if one patch is not the box around it, not all behind a plane of the last paragraph, and not with both
-/// patches on one side of the triangle's own plane up to the tolerance (with closed contact: strictly), unless all of
-/// both lies in it. So a closed room that is one object hides nothing inside it.
+/// For a group of at most 64 triangles, one of its triangles must reach into the shaft by itself, too. This is so if
+/// the box around the triangle reaches into the shaft and the triangle is in front of both planes. If one patch is not
+/// identical to the box around it, there are two more conditions. The triangle must not lie wholly behind a plane of
+/// the last paragraph. And the two patches must not lie on one side of the triangle's own plane up to the tolerance
+/// (with closed contact: strictly), unless both lie wholly in that plane. So a closed room that is one object hides
+/// nothing inside it.
 ///
 /// Patches are stored in a tree, and groups of patches are compared first: an answer for two groups holds for all pairs
 /// in them. So time grows with the number of undecided pairs, and memory stays below a limit for any number of pairs.
@@ -95,7 +101,7 @@ enum class Sight : std::uint8_t {
 /// Returns the name, as in files and in Python: "undecided", "clear", "occluded", "facing_away".
 [[nodiscard]] SHAFTCULL_EXPORT const char* name(Sight sight) noexcept;
 
-/// From where a patch with corners is seen.
+/// The sides from which a patch with corners is seen.
 enum class PatchSides : std::uint8_t {
   front,  ///< from the side from which its corners run counter-clockwise
   both,   ///< from both sides; two patches in one plane are facing_away, within the tolerance
@@ -110,16 +116,16 @@ class SHAFTCULL_EXPORT PatchSet {
   /// Builds a set of one patch per box. `planes` is empty, or has one plane per box. A patch faces where the normal of
   /// its plane points, and sees points in front of the plane: normal·p > offset. Throws InvalidArgument for any other
   /// number of planes, and for 2³² − 1 patches or more. Throws BadBound, with the position, for a box that is not
-  /// finite with lo ≤ hi, and for a plane that is not finite or has a zero normal. O(n log n); allocates about 100
+  /// finite or has lo > hi, and for a plane that is not finite or has a zero normal. O(n log n); allocates about 100
   /// bytes per patch.
   explicit PatchSet(const BoxView& boxes, std::span<const Plane> planes = {});
   explicit PatchSet(std::span<const Box> boxes, std::span<const Plane> planes = {});
-  /// Builds a set of convex polygons, by their corners. Patch i has corners[first_corner[i] … first_corner[i + 1]), 3
-  /// to 8 of them, in order around it. It faces the side from which they run counter-clockwise, or both sides. A patch
-  /// whose corners are slightly out of plane has the planes of the triangles that its first corner forms with its other
-  /// edges; a patch without area has no plane. Convexity is not checked. Throws BadBound, with the position, for a
-  /// corner that is not finite, and InvalidArgument for another number of corners, for positions that do not ascend
-  /// from 0 to corners.size(), for 2³² − 1 patches or more, and if `sides` is no enumerator. O(n log n); allocates
+  /// Builds a set of convex polygons, by their corners. Patch i has corners[first_corner[i] … first_corner[i + 1]),
+  /// 3 to 8 of them, in order around it. It faces the side from which they run counter-clockwise, or both sides. A
+  /// patch whose corners are slightly out of plane has the planes of the triangles that its first corner forms with its
+  /// other edges; a patch without area has no plane. Convexity is not checked. Throws BadBound, with the position, for
+  /// a corner that is not finite, and InvalidArgument for another number of corners, for positions that do not ascend
+  /// from 0 to corners.size(), for 2³² − 1 patches or more, and if `sides` is not an enumerator. O(n log n); allocates
   /// about 150 bytes per patch of 4 corners, and 100 if every patch is the box around it and seen from one side.
   explicit PatchSet(std::span<const Vec3> corners, std::span<const std::size_t> first_corner,
                     PatchSides sides = PatchSides::front);
@@ -162,14 +168,15 @@ class SHAFTCULL_EXPORT Occluders {
   /// Adds boxes around things that may hide something. These boxes make no pair `occluded`.
   std::size_t add_boxes(const BoxView& boxes);
   std::size_t add_boxes(std::span<const Box> boxes);
-  /// Adds solid boxes: walls, cores of buildings. Solids make pairs `occluded`, also where several form one larger box
-  /// together (merged_boxes()).
+  /// Adds solid boxes: walls, cores of buildings. Solids make pairs `occluded`, also if several of them form one larger
+  /// box together (merged_boxes()).
   std::size_t add_solids(const BoxView& boxes);
   std::size_t add_solids(std::span<const Box> boxes);
   /// Adds solid convex hulls: a turned cupboard or building. `corners` holds the corners of all hulls, hull after hull.
-  /// Hull i has corners[first_corner[i] … first_corner[i + 1]), 4 or more of them; points that are no corners of the
-  /// hull may be among them. The call finds the faces of the hull, and a box inside it (inscribed_box(); of more than
-  /// 32 points, inside 32 of them). O(n²) for a hull of n points, and up to 250 bytes per corner more.
+  /// Hull i has corners[first_corner[i] … first_corner[i + 1]), 4 or more of them; these may include points that are
+  /// not corners of the hull. The call finds the faces of the hull, and a box inside it by inscribed_box(); for more
+  /// than 32 points, inside the hull of 32 of them. O(n²) for a hull of n points. Takes up to 250 more bytes per
+  /// corner.
   std::size_t add_solid_hulls(std::span<const Vec3> corners, std::span<const std::size_t> first_corner);
   /// Adds flat convex polygons, by their corners in order: walls without thickness. Polygons make pairs `occluded`.
   /// Arguments are as for hulls, with 3 corners or more per polygon. Polygons are treated as in occluded(shaft,
@@ -178,11 +185,11 @@ class SHAFTCULL_EXPORT Occluders {
   std::size_t add_polygons(std::span<const Vec3> corners, std::span<const std::size_t> first_corner);
   /// Adds triangles, in groups. Group i has triangles [first_triangle[i] … first_triangle[i + 1]): whole objects are
   /// good groups. If `first_triangle` is empty, the library forms groups of at most 32 triangles that are near each
-  /// other and face alike, O(n log n).
-  /// Triangles make no pair `occluded`.
+  /// other and face alike, O(n log n). Triangles make no pair `occluded`.
   std::size_t add_triangles(const TriangleView& triangles, std::span<const std::size_t> first_triangle = {});
-  /// Adds what find_solids() (solids.hpp) found in triangles that are added otherwise. It makes pairs `occluded` as
-  /// hulls, polygons and solids do, but is no occluder itself: it has no number, and pairs are `clear` without it.
+  /// Adds solids that find_solids() (solids.hpp) found in triangles; add the triangles themselves with add_triangles().
+  /// Found solids make pairs `occluded`, as hulls, polygons and solids do, but they are not occluders: they have no
+  /// numbers, and do not keep a pair from being `clear`.
   void add_found(const FoundSolids& found);
 
   /// The number of occluders.
@@ -217,7 +224,7 @@ struct PairBlock {
   friend bool operator==(const PairBlock&, const PairBlock&) = default;
 };
 
-/// Two patches, by the user's indices. For one set with itself, patch a comes first in its order.
+/// Two patches, by the user's indices. For one set with itself, patch a comes before patch b in the order of the set.
 struct PatchPair {
   std::uint32_t a;  ///< index in the first set
   std::uint32_t b;  ///< index in the second set
@@ -228,7 +235,7 @@ struct PatchPair {
 /// are empty if VisibilityOptions::candidates is false.
 struct UndecidedPairs {
   std::span<const PatchPair> pairs;              ///< each pair once
-  std::span<const std::size_t> first_candidate;  ///< where the candidates of each pair begin; then the last end
+  std::span<const std::size_t> first_candidate;  ///< where the candidates of each pair begin; then the end of the last
   std::span<const std::uint32_t> candidates;     ///< numbers of occluders
 };
 
@@ -265,29 +272,30 @@ struct VisibilityProgress {
 
 /// Options of visibility calls.
 struct VisibilityOptions {
-  /// Whether an occluder that only touches a shaft reaches into it: only with closed contact. What hides a pair does
-  /// not depend on the contact.
+  /// Whether an occluder that only touches a shaft reaches into it: it does with closed contact only. Whether a pair is
+  /// `occluded` does not depend on the contact.
   Contact contact = Contact::open;
-  /// Whether a solid may make a pair `occluded` although a patch of the pair reaches into it. Rays that start inside a
-  /// solid do not meet its front. Set it to false where answers must agree with rays. A patch reaches into a solid box
-  /// if the box around the patch does (for a flat solid: touches it). It reaches into a solid hull unless all corners
-  /// of the patch lie on or in front of one face of the hull. Boxes that were found inside hulls and other bodies then
-  /// hide nothing: they have no surface that rays meet.
+  /// Whether a solid may make a pair `occluded` although a patch of the pair reaches into the solid. Rays that start
+  /// inside a solid do not meet its front, so set this to false if answers must agree with rays. A patch reaches into a
+  /// solid box if the box around the patch does (for a flat solid: touches it). It reaches into a solid hull unless all
+  /// corners of the patch lie on or in front of one face of the hull. If this is false, boxes that were found inside
+  /// hulls and other bodies hide nothing, since they have no surface that rays meet.
   bool solids_around_ends = true;
-  /// How far in front of a plane a point may be and still count as behind it, because coordinates are rounded: it does
-  /// if moving each of its coordinates by `tolerance` or less brings it there. In the units of the scene; finite, 0 or
-  /// more. It holds for planes of patches, and for those that part occluders from the shaft between two polygons.
+  /// How far in front of a plane a point may be and still count as behind it, because coordinates are rounded: a point
+  /// counts as behind if moving each of its coordinates by `tolerance` or less brings it behind the plane. In the units
+  /// of the scene; finite, 0 or more. The tolerance holds for planes of patches, and for planes that separate occluders
+  /// from the shaft between two polygons.
   ///
   /// Corners of one wall that is not axis-parallel lie in one plane only up to rounding. If corners are off by r, the
   /// plane of a patch of width w is off by about 2 r d / w at a distance d, so a tolerance of a few times that makes
-  /// patches of one wall face away from each other. An axis-parallel wall needs none.
+  /// patches of one wall face away from each other. An axis-parallel wall needs no tolerance.
   float tolerance = 0;
   /// Whether undecided pairs come with candidates.
   bool candidates = true;
-  /// Limit in bytes for answers under way and for pairs of groups that wait for answers. Not included: the sets, the
-  /// occluders, memory that callbacks keep, and, per thread, about 2.5 MB plus 200 bytes per occluder, and
-  /// once, 180 bytes per occluder if patches have corners. A single pair and its candidates may exceed the limit. If
-  /// the limit is small for the number of threads, pairs of groups are answered in smaller parts, and where even these
+  /// Limit in bytes for answers in progress and for pairs of groups that wait for answers. It does not include the
+  /// sets, the occluders, and memory that callbacks keep; nor about 2.5 MB plus 200 bytes per occluder for each thread;
+  /// nor, if patches have corners, 180 bytes per occluder once. A single pair and its candidates may exceed the limit.
+  /// If the limit is small for the number of threads, pairs of groups are answered in smaller parts and, if even these
   /// do not fit, on one thread.
   std::size_t memory = std::size_t{256} << 20;
   /// Receives undecided pairs before delivery, and may give the final answer for each, for example with rays.
@@ -296,8 +304,8 @@ struct VisibilityOptions {
   /// reaches the caller, as does InvalidArgument for a verdict that is not an enumerator.
   std::function<void(const UndecidedPairs& undecided, std::span<Sight> verdict)> resolve = {};
   /// Receives the progress several times per second, and returns whether to continue. If it returns false, the call
-  /// throws Cancelled. If it throws, the call throws the same exception. Running calls of `resolve` return first: a
-  /// long one delays the exception.
+  /// throws Cancelled. If it throws, the call throws the same exception. Calls of `resolve` in progress return first,
+  /// so a long call delays the exception.
   std::function<bool(const VisibilityProgress& progress)> progress = {};
 };
 
@@ -312,14 +320,14 @@ class SHAFTCULL_EXPORT Cancelled : public std::runtime_error {
 
 /// Returns how many pairs of a patch of `a` and a patch of `b` have each answer. Nothing is written for any pair.
 ///
-/// O(pairs · occluders) at worst. Groups that are answered as a whole cost one answer, so a few nanoseconds per pair
-/// are usual. VisibilityOptions::memory describes the allocation. Verdicts of `resolve` are counted. Throws
-/// InvalidArgument for an option that is not an enumerator and for memory of less than 1 MB, std::bad_alloc, Cancelled,
+/// O(pairs · occluders) at worst. Two groups that are answered as a whole cost one answer, so a few nanoseconds per
+/// pair are usual. VisibilityOptions::memory describes the allocation. Verdicts of `resolve` are counted. Throws
+/// InvalidArgument for an option that is not an enumerator and for memory of less than 1 MB; std::bad_alloc; Cancelled;
 /// and exceptions of callbacks.
 [[nodiscard]] SHAFTCULL_EXPORT SightCounts count_visibility(const PatchSet& a, const PatchSet& b,
                                                             const Occluders& occluders,
                                                             const VisibilityOptions& options = {});
-/// The same for one set with itself: each two patches are one pair.
+/// The same for one set with itself: every two patches are one pair.
 [[nodiscard]] SHAFTCULL_EXPORT SightCounts count_visibility(const PatchSet& patches, const Occluders& occluders,
                                                             const VisibilityOptions& options = {});
 

@@ -6,11 +6,11 @@
 /// supports, exactly for the floats given: no end box is rounded. Joining planes are pending, and contact is closed
 /// until set_contact() opens it.
 ///
-/// A box with an infinite corner is never inside: a shaft without end that holds all of it overlaps it.
+/// A box with an infinite corner is never inside: if a shaft without end contains all of it, the answer is *overlap*.
 ///
 /// All calls throw InvalidArgument for a box that is not finite or has lo > hi, for a plane that is not finite or has
-/// no normal, and for more than max_added_planes planes. Planes are added as by compile(a, b, planes). A call takes
-/// 17 to 90 ns, allocates nothing and is safe from many threads.
+/// no normal, and for more than max_added_planes planes. Planes are added as by compile(a, b, planes). A call takes 17
+/// to 90 ns, allocates nothing and is safe to call from many threads.
 #pragma once
 
 #include <span>
@@ -28,16 +28,17 @@ namespace SHAFTCULL_INTERFACE shaftcull {
                                                    std::span<const Plane> planes = {});
 
 /// Returns the volume that a body sweeps when it moves in a direction without end: all body + t · direction, t ≥ 0.
-/// swept_infinite(receiver, towards_sun) holds all that can cast the sun's shadow on a receiver; swept_infinite(body,
-/// down) holds all that is below a falling body. The direction need not have unit length. Throws InvalidArgument if the
-/// direction is not finite, or 0.
+/// swept_infinite(receiver, towards_sun) contains everything that can cast the sun's shadow on a receiver;
+/// swept_infinite(body, down) contains everything below a falling body. The direction need not have unit length. Throws
+/// InvalidArgument if the direction is not finite, or 0.
 [[nodiscard]] SHAFTCULL_EXPORT CompiledShaft swept_infinite(const Box& body, const Vec3& direction,
                                                             std::span<const Plane> planes = {});
 
 /// Returns the shadow of an occluder from a light: every point p such that some segment from the light to p meets the
-/// occluder. The shadow holds the occluder, and continues behind it without end. If the light, or a viewpoint, is a
-/// point, the shadow is all that the occluder hides from it. A point is in the shadow if the occluder takes some of the
-/// light. So bounds inside need not be dark, unless the light is a point; occluded.hpp finds those that are dark.
+/// occluder. The shadow contains the occluder, and continues behind it without end. If the light, or a viewpoint in its
+/// place, is a point, the shadow is the volume that the occluder hides from it. A point is in the shadow if the
+/// occluder takes away some of the light. So bounds inside the shadow need not be dark, unless the light is a point;
+/// the calls of occluded.hpp find bounds that are dark.
 ///
 /// Throws InvalidArgument unless light and occluder are apart. If they touch, segments from a common point meet the
 /// occluder at once, so the shadow is all of space.
@@ -49,13 +50,13 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 [[nodiscard]] SHAFTCULL_EXPORT CompiledShaft shadow(const Box& light, const Box& occluder, float reach,
                                                     std::span<const Plane> planes = {});
 
-/// Writes swept(bodies[i], displacements[i]) to out[i]. All bodies have equally many planes, k = planes.size() /
+/// Writes swept(bodies[i], displacements[i]) to out[i]. All bodies have the same number of planes, k = planes.size() /
 /// bodies.count: body i has planes k · i to k · i + k − 1.
 ///
-/// This call and those below throw InvalidArgument if sizes differ, or if planes are too many, not equally many for
-/// each box, not finite or without a normal. They throw BadBound, with the position i, for the first box, vector or
-/// pair that the call for one shaft refuses. Nothing is written then. O(shafts and planes), 60 to 90 ns per shaft; no
-/// allocation; safe to call from many threads.
+/// This call and those below throw InvalidArgument if sizes differ, if boxes do not have equally many planes, if a
+/// shaft would have too many planes, or if a plane is not finite or has no normal. They throw BadBound, with the
+/// position i, for the first box, vector or pair that the call for one shaft refuses. A call that throws writes
+/// nothing. O(shafts and planes), 60 to 90 ns per shaft; no allocation; safe to call from many threads.
 SHAFTCULL_EXPORT void swept_batch(const BoxView& bodies, std::span<const Vec3> displacements,
                                   std::span<CompiledShaft> out, std::span<const Plane> planes = {});
 

@@ -240,7 +240,7 @@ TreeUpkeep DynamicTree<Bound>::upkeep() const noexcept {
     growth += static_cast<double>(block.growth);
     if (kernel::has_grown(block)) upkeep.waiting += block.count;
   }
-  if (upkeep.blocks != 0) upkeep.growth = growth / static_cast<double>(upkeep.blocks);
+  if (upkeep.blocks != 0) upkeep.sah_ratio = growth / static_cast<double>(upkeep.blocks);
   return upkeep;
 }
 

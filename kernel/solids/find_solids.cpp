@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Solids that nobody named: what the triangles of a mesh hide.
+/// Solids in the triangles of a mesh, which hide only what the triangles hide.
 #include <algorithm>
 #include <array>
 #include <cmath>

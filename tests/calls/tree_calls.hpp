@@ -65,7 +65,7 @@ void add_tree_calls(CallTable& table, const std::string& of, const ViewOf<Bound>
     tree_of_ids.insert(bounds.front(), 2);
     tree_of_ids.commit();
     note(words, tree_of_ids.committed().box());
-    note(words, tree_of_ids.upkeep().growth);
+    note(words, tree_of_ids.upkeep().sah_ratio);
     std::vector<std::uint32_t> kept;
     for (const CompiledShaft& shaft : table.shafts) {
       note(words, list(shaft, tree_of_ids, kept, {.layer_mask = {3}}));

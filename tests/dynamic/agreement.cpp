@@ -235,7 +235,7 @@ TYPED_TEST(DynamicTrees, RebuildingSortsEverythingAndCommits) {
     const std::size_t count = before.count();
     world.tree.rebuild();
     EXPECT_EQ(world.tree.upkeep().sorted_last, world.model.count());
-    EXPECT_EQ(world.tree.upkeep().growth, 1);
+    EXPECT_EQ(world.tree.upkeep().sah_ratio, 1);
     expect_equal(world.tree.committed(), world.model, world.random());
     EXPECT_EQ(before.count(), count);
   }

@@ -51,7 +51,7 @@ TEST(TreeUpkeep, NodesStayAboutAsSmallAsWhenTheyWereSorted) {
     crowd.replace(200);
     crowd.shake(200, 1);
     crowd.tree.commit();
-    EXPECT_LT(crowd.tree.upkeep().growth, 1.2) << frame;
+    EXPECT_LT(crowd.tree.upkeep().sah_ratio, 1.2) << frame;
     EXPECT_LE(crowd.tree.upkeep().blocks, blocks + 2) << frame;
   }
 }
@@ -61,7 +61,7 @@ TEST(TreeUpkeep, BoundsThatDriftApartAreSortedAgainWithTheirNeighbours) {
   for (int frame = 0; frame != 100; ++frame) {
     crowd.shake(20000, 1);
     crowd.tree.commit();
-    EXPECT_LT(crowd.tree.upkeep().growth, 1.6) << frame;
+    EXPECT_LT(crowd.tree.upkeep().sah_ratio, 1.6) << frame;
   }
 }
 
@@ -86,7 +86,7 @@ TEST(TreeUpkeep, CostsWhatItIsAllowedTo) {
     left_alone.tree.commit();
     EXPECT_EQ(left_alone.tree.upkeep().sorted_last, 0U) << frame;
   }
-  EXPECT_GT(left_alone.tree.upkeep().growth, crowd.tree.upkeep().growth);
+  EXPECT_GT(left_alone.tree.upkeep().sah_ratio, crowd.tree.upkeep().sah_ratio);
   EXPECT_GT(left_alone.tree.upkeep().waiting, 10000U);
 }
 
@@ -114,7 +114,7 @@ TEST(TreeUpkeep, LargeBoundsHaveBlocksOfTheirOwn) {
     crowd.replace(200);
     crowd.tree.commit();
     EXPECT_LE(crowd.tree.upkeep().blocks, blocks + 3) << frame;
-    EXPECT_LT(crowd.tree.upkeep().growth, 1.5) << frame;
+    EXPECT_LT(crowd.tree.upkeep().sah_ratio, 1.5) << frame;
   }
   for (std::size_t i = 0; i != ids.size(); ++i) {  // they shrink, one after the other
     crowd.tree.move(ids[i], Box{{50, 50, 50}, {51, 51, 51}});
@@ -134,7 +134,7 @@ TEST(TreeUpkeep, MemoryIsTheBoundsAndLittleMore) {
     crowd.replace(1000);
     crowd.tree.commit();
   }
-  EXPECT_LT(beside(), 26) << crowd.tree.upkeep().blocks << " blocks, growth " << crowd.tree.upkeep().growth;
+  EXPECT_LT(beside(), 26) << crowd.tree.upkeep().blocks << " blocks, ratio " << crowd.tree.upkeep().sah_ratio;
 }
 
 TEST(TreeUpkeep, ATreeThatShrinksGivesBlocksBack) {

@@ -155,7 +155,7 @@ void compare_trees(Random& random, const Shafts& shafts, const std::vector<Bound
 #endif
   tree.refit();
   ok(shaftcull_tree_refit(bounds.get()));
-  EXPECT_EQ(described(shaftcull_tree_describe, static_cast<const shaftcull_bounds*>(bounds.get())).growth,
+  EXPECT_EQ(described(shaftcull_tree_describe, static_cast<const shaftcull_bounds*>(bounds.get())).sah_ratio,
             tree.sah_ratio());
   compare_now(few);
   tree.rebuild();

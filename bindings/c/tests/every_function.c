@@ -518,7 +518,7 @@ static void trees(void) {
   OK(shaftcull_tree_refit(spheres));
   OK(shaftcull_tree_describe(tree, &about));
   OK(shaftcull_bounds_describe(tree, &info));
-  CHECK(about.growth > 0 && about.bound_count == 2 && about.blocks == 0 && info.needs_refit == 0 &&
+  CHECK(about.sah_ratio > 0 && about.bound_count == 2 && about.blocks == 0 && info.needs_refit == 0 &&
         info.box.hi[0] == 3);
   OK(shaftcull_tree_rebuild(tree));
   OK(shaftcull_tree_reorder(tree));
@@ -548,7 +548,7 @@ static void trees(void) {
   OK(shaftcull_tree_rebuild(mesh));
   OK(shaftcull_tree_reorder(mesh));
   OK(shaftcull_tree_describe(mesh, &about));
-  CHECK(about.growth == 1 && about.bound_count == 2);
+  CHECK(about.sah_ratio == 1 && about.bound_count == 2);
   REFUSED(shaftcull_tree_describe(tree, NULL), "info is NULL");
 
   shaftcull_bounds_free(tree);
@@ -648,7 +648,7 @@ static void dynamic_trees(void) {
   CHECK(count_of(tree) == 1 && count_of(snapshot) == 2 && count_of(same) == 2);
   shaftcull_tree_info about;
   OK(shaftcull_tree_describe(tree, &about));
-  CHECK(about.bound_count == 1 && about.blocks == 1 && about.growth == 1 && about.sorted_last == 1);
+  CHECK(about.bound_count == 1 && about.blocks == 1 && about.sah_ratio == 1 && about.sorted_last == 1);
   REFUSED(shaftcull_tree_describe(snapshot, &about), "a snapshot of boxes");
 
   REFUSED(shaftcull_dynamic_tree_insert(tree, &spheres, NULL, ids), "the tree's kind");

@@ -5,7 +5,7 @@ Bounds are float32 arrays: boxes (n, 6) or (n, 2, 3), spheres (n, 4), triangles 
 shafts, and ask:
 
     tree = shaftcull.BoxTree(boxes)
-    offsets, indices = tree.list(a, b)             # the boxes that may stand between a[i] and b[i]
+    lists = tree.list(a, b)             # lists[i]: the boxes that may stand between a[i] and b[i]
     shafts = shaftcull.Shafts.swept(bodies, displacements)
     indices, times = tree.first_contact(shafts)            # which box each body hits first, and when
     found = shaftcull.visibility(patches, solids=walls, triangles=mesh)    # of all pairs, what sees what

@@ -5,15 +5,15 @@ import numpy as np
 
 
 class IndexLists:
-    """Lists of indices, one for each of n shafts: the result of list() and its like for many shafts.
+    """Lists of indices, one per shaft: the result of list() and similar calls for n shafts.
 
     lists[i]: uint32 (k,), the list of shaft i, a view of `indices`. i is an integer, which may count from the end;
-        IndexError for one that names nothing. len() is n, and iterating gives the lists in order.
+        IndexError if it is out of range. len() is n, and iterating gives the lists in order.
     offsets: int64 (n + 1,): list i is indices[offsets[i]:offsets[i + 1]].
-    indices: uint32, all lists one behind the other.
-    times: float32, a time for each of `indices`; None, unless list() was called with times=True.
+    indices: uint32, all lists, one after another.
+    times: float32, one time per index; None unless list() was called with times=True.
 
-    They can be pickled, and made of arrays that were saved: IndexLists(offsets, indices, times).
+    IndexLists can be pickled, and made from saved arrays: IndexLists(offsets, indices, times).
     """
 
     __module__ = "shaftcull"

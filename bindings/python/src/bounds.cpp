@@ -23,8 +23,8 @@ using py::arg;
 
 constexpr const char* errors_of_changes = R"(
 
-TypeError, ValueError or BadBound says which argument or bound is wrong; then nothing is changed.
-RuntimeError if another thread uses this object. Other threads of Python go on meanwhile.)";
+TypeError, ValueError or BadBound names the argument or bound that is wrong; then nothing is changed.
+RuntimeError if another thread uses this object. Other threads of Python continue during the call.)";
 
 /// The arguments and errors of a stream or a tree.
 template <class Bound>
@@ -35,7 +35,7 @@ std::string about() {
 {}: float32
     {}.{}
 
-BadBound, with the index of the first, for {}.
+BadBound, with the first bad index, for {}.
 TypeError or ValueError for other arrays.)")
       .format(Of::plural, Of::shapes, Of::about_option, Of::bad);
 }
@@ -71,7 +71,7 @@ void add_owner(Class& to) {
          arg(Kind<Bound>::plural), arg(Kind<Bound>::option) = py::none());
   to.def_property_readonly(
       "memory_bytes", [](const Made& self) { return self.owner.memory_bytes(); },
-      "Bytes of memory that it holds: int.");
+      "The memory that it holds, in bytes: int.");
 }
 
 template <class Bound>
@@ -81,9 +81,9 @@ void add_view(py::module_& module) {
   const std::string name = std::string(Of::name) + "View";
   static const std::string advice = std::string("a ") + Of::name + "Stream copies, and may round";
   const std::string text = py::str(R"(
-{0} in arrays of the caller's, which are kept and never copied.
+{0} in arrays of the caller, which are kept and never copied.
 
-{1}: float32, each coordinate in memory of its own, entry beside entry:
+{1}: float32, each coordinate in contiguous memory of its own:
     {2}.
 
 Values are not checked, and may change between queries. Shafts keep a bound with NaN. ValueError for other layouts.)")
@@ -111,7 +111,7 @@ void add_stream(py::module_& module) {
   using Of = Kind<Bound>;
   using Made = Streamed<Bound>;
   const std::string name = std::string(Of::name) + "Stream";
-  const std::string text = py::str("A copy of {}, checked, in separate aligned streams: {} bytes for each.{}")
+  const std::string text = py::str("A checked copy of {}, in separate aligned streams: {} bytes per bound.{}")
                                .format(Of::plural, sizeof(Bound), about<Bound>());
   py::class_<Made, HolderOf<Bound>> stream(module, name.c_str(), text.c_str());
   add_owner<Bound, Made>(stream);
@@ -123,7 +123,7 @@ void add_stream(py::module_& module) {
         alone(self, [&] { std::visit([&](const auto& where) { self.owner.update(from, where); }, in.where); });
       },
       arg(Of::plural), arg("first") = 0, arg(Of::option) = py::none(),
-      (std::string("Replaces bounds from `first` on, as many as are given, which are as those of the class.") +
+      (std::string("Replaces the bounds from `first` on with the given bounds, in the form that the class takes.") +
        errors_of_changes)
           .c_str());
 }
@@ -146,9 +146,9 @@ void add_changes(py::class_<Planted<Bound>, HolderOf<Bound>>& tree) {
           },
           arg(Kind<Bound>::plural), arg("indices") = py::none(), arg(Kind<Bound>::option) = py::none(),
           (std::string(R"(
-Gives bounds new values, which are as those of the class: all bounds, in the order of their indices; or
-those at `indices`, integers (k,), and then refit() is due before the next query. IndexError for an index
-that names nothing.)") +
+Gives bounds new values, in the form that the class takes: all bounds, in the order of their indices; or the
+bounds at `indices`, integers (k,), and then refit() is due before the next query. IndexError for an index
+out of range.)") +
            errors_of_changes)
               .c_str())
       .def(
@@ -159,11 +159,11 @@ that names nothing.)") +
           "bool: whether bounds were updated by indices since the last refit().")
       .def(
           "rebuild", [](Made& self) { alone(self, [&self] { self.owner.rebuild(); }); }, R"(
-Sorts the bounds again, as they are now. Indices stay, `order` changes. It pays when sah_ratio() is 2 or 3.
-RuntimeError if another thread uses the tree.)")
+Sorts the bounds again, as they are now. Indices stay, `order` changes. This pays off when sah_ratio() is 2
+or 3. RuntimeError if another thread uses the tree.)")
       .def(
           "reorder", [](Made& self) { alone(self, [&self] { self.owner.reorder(); }); }, R"(
-Numbers the bounds again, by their places in the order of the tree. RuntimeError if another thread uses the
+Renumbers the bounds by their positions in the order of the tree. RuntimeError if another thread uses the
 tree.)")
       .def("sah_ratio", reading<Made>([](const auto& made) { return made.sah_ratio(); }),
            R"(
@@ -179,12 +179,12 @@ void add_tree(py::module_& module) {
   const std::string name = std::string(Of::name) + "Tree";
   const std::string text =
       py::str(R"(
-A tree over a copy of {}, sorted by space, for many queries: {} bytes for each, at most 2**32 - 1.
-Answers equal those of a {}Stream.{}
+A tree over a copy of {}, sorted by space, for many queries: {} bytes per bound, at most
+2**32 - 1 bounds. Answers equal those of a {}Stream.{}
 
 Any number of threads may query one tree at once. {})")
           .format(Of::plural, sizeof(Bound) + 4, Of::name, about<Bound>(),
-                  may_change ? "A change, such as update(), must be alone." : "It does not change.");
+                  may_change ? "No other call may run during a change, such as update()." : "It does not change.");
   py::class_<Made, HolderOf<Bound>> tree(module, name.c_str(), text.c_str());
   add_owner<Bound, Made>(tree);
   if constexpr (may_change) add_changes<Bound>(tree);

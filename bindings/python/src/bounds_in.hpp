@@ -37,8 +37,8 @@ struct Kind<Box> {
   static constexpr const char* bad = "NaN and lo > hi; lo = infinity and hi = -infinity is the empty box";
   static constexpr const char* option = "rounding";
   static constexpr const char* about_option = R"(
-rounding: 'outwards' takes float64, too, and rounds lo down and hi up: boxes that are outside then are outside
-    as given. Round solids (occluded()) to nearest instead: a larger one hides too much.)";
+rounding: 'outwards' also accepts float64, and rounds lo down and hi up: boxes that are outside are then
+    outside as given, too. Round solids (occluded()) to nearest instead: a larger solid hides too much.)";
 };
 
 template <>
@@ -57,8 +57,8 @@ struct Kind<Sphere> {
   static constexpr const char* bad = "NaN, centres that are not finite, and radii below 0";
   static constexpr const char* option = "rounding";
   static constexpr const char* about_option = R"(
-rounding: 'outwards' takes float64, too. Centres are rounded to nearest, and radii grow: each sphere contains
-    the given one.)";
+rounding: 'outwards' also accepts float64. Centres are rounded to nearest, and radii grow: each sphere
+    contains the given sphere.)";
 };
 
 template <>
@@ -76,9 +76,9 @@ struct Kind<Triangle> {
   static constexpr const char* bad = "coordinates that are not finite";
   static constexpr const char* option = "faces";
   static constexpr const char* about_option = R"(
-faces: integers (f, 3) from 0 on: the vertices of each triangle. IndexError for one that names nothing.
+faces: integers (f, 3), counted from 0: the vertices of each triangle. IndexError for an index out of range.
 
-Triangles are never rounded outwards, since none of float32 need contain a given one of float64:
+Triangles are never rounded outwards, since no float32 triangle need contain a given float64 triangle:
 triangles.astype(numpy.float32) rounds to nearest.)";
 };
 

@@ -43,23 +43,24 @@ py::array merged(const py::object& given) {
 void add_boxes(py::module_& module) {
   using py::arg;
   module.def("points", &points, arg("points"), py::kw_only(), arg("rounding") = py::none(), R"(
-Boxes that are points, for viewpoints and point lights: float32 (n, 6) of points (n, 3), or (6,) of (3,).
+Boxes that are points, for viewpoints and point lights: float32 (n, 6) for points (n, 3), or (6,) for (3,).
 
-points: float32. rounding: 'outwards' takes float64, too, and each box contains its point. TypeError or
-    ValueError for others.)");
+points: float32. rounding: 'outwards' also accepts float64; each box then contains its point. TypeError or
+    ValueError for other arguments.)");
   module.def("merged_boxes", &merged, arg("boxes"), R"(
-Larger solid boxes that cover what the given boxes cover and nothing else: pieces of a wall that share a
-face become one. float32 (m, 6); they may overlap.
+Larger solid boxes that cover exactly the space of the given boxes: pieces of a wall that share a face become
+one box. float32 (m, 6); the boxes may overlap.
 
-boxes: float32 (n, 6), or as those of BoxStream. BadBound, with the index, for one that is not finite or has
-    lo > hi. Other threads of Python go on.)");
+boxes: float32 (n, 6), or as for BoxStream. BadBound, with the index, for a box that is not finite or has
+    lo > hi. Other threads of Python continue.)");
   module.def(
       "inscribed_box",
       [](const py::object& corners) { return array_of(inscribed_box(vectors_in(corners, "corners").vectors)); },
       arg("corners"), R"(
 A large box inside the convex hull of points: float32 (6,). It lies in the hull exactly.
 
-corners: float32 (k, 3), 4 to 32 points. ValueError for another number of them, or one that is not finite.)");
+corners: float32 (k, 3), 4 to 32 points. ValueError for another number of points, or a point that is not
+    finite.)");
 }
 
 }  // namespace shaftcull::python

@@ -103,8 +103,8 @@ void add_snapshot(py::module_& module) {
   using Made = Shown<Bound>;
   const std::string name = std::string(Of::name) + "TreeSnapshot";
   const std::string text = py::str(R"(
-The {0} of a Dynamic{1}Tree at one commit(): what snapshot() of the tree returns.
-It never changes. len() is above all indices.)")
+The {0} of a Dynamic{1}Tree after one commit(), as returned by snapshot() of the tree.
+The snapshot never changes. len() is above all indices.)")
                                .format(Of::plural, Of::name);
   py::class_<Made, HolderOf<Bound>>(module, name.c_str(), text.c_str())
       .def_property_readonly(
@@ -136,10 +136,11 @@ void add_changes_by_ids(py::class_<Living<Bound>, HolderOf<Bound>>& tree) {
             return array_of(std::move(numbers));
           },
           arg(Of::plural), arg("layers") = none, arg(Of::option) = none,
-          (std::string("Inserts ") + Of::plural + R"(, which are as those of the tree without changes, and returns their
-ids: int64 (n,), or an int for one. ids & 0xffffffff are indices, as queries return them.
+          (std::string("Inserts ") + Of::plural + ", in the form that a " + Of::name +
+           R"(Tree takes, and returns their ids: int64 (n,),
+or an int for one. ids & 0xffffffff are the indices that queries return.
 
-layers: integers from 0 to 2**32 - 1, one or (n,): the layers of each; all layers if not given.
+layers: integers from 0 to 2**32 - 1, one or (n,): the layers of each bound; all layers if not given.
 
 TypeError, ValueError or BadBound names the argument that does not fit; then nothing is inserted.)")
               .c_str())
@@ -150,7 +151,7 @@ TypeError, ValueError or BadBound names the argument that does not fit; then not
             const Changing changing(self.usage);
             self.owner.erase(in.ids);
           },
-          arg("ids"), "Erases bounds. ids: integers (k,), or one. ValueError for one that occurs twice.")
+          arg("ids"), "Erases bounds. ids: integers (k,), or one integer. ValueError for an id that occurs twice.")
       .def(
           "move",
           [](Made& self, const py::object& ids, const py::object& given, const py::object& option) {
@@ -160,7 +161,7 @@ TypeError, ValueError or BadBound names the argument that does not fit; then not
             self.owner.move(in.ids, bounds);
           },
           arg("ids"), arg(Of::plural), arg(Of::option) = none,
-          "Gives bounds new values: one for each id. ValueError for an id of no bound, BadBound for bad values.")
+          "Gives bounds new values, one per id. ValueError for an id without a bound, BadBound for bad values.")
       .def(
           "move_by",
           [](Made& self, const py::object& ids, const py::object& displacements) {
@@ -179,8 +180,8 @@ void add_dynamic_tree(py::module_& module) {
   using Made = Living<Bound>;
   const std::string name = std::string("Dynamic") + Of::name + "Tree";
   const std::string text = py::str(R"(
-A tree of {0} that are inserted, erased and moved. Changes are made by ids, and queries see them after
-commit(). An id never means another bound, even when its index is used again. Answers equal those of a
+A tree of {0} that are inserted, erased and moved. Changes name bounds by ids, and queries see changes after
+commit(). An id never denotes another bound, even if its index is used again. Answers equal those of a
 {1}Stream.
 
     tree = shaftcull.Dynamic{1}Tree()
@@ -188,11 +189,11 @@ commit(). An id never means another bound, even when its index is used again. An
     tree.commit()
     kept = tree.list(a, b)                   # indices: ids & 0xffffffff
 
-One thread at a time may change the tree. Others query what snapshot() returns, also during a commit().
-len() is above all indices: cull() and exclude_mask have that many bounds, and those of an index without a
-bound are False.
+One thread at a time may change the tree. Other threads query the result of snapshot(), also during a commit().
+len() is above all indices: cull() and exclude_mask have that many bounds, and cull() gives False for an index
+without a bound.
 
-ValueError for an id of no bound.
+ValueError for an id without a bound.
 BadBound for {2}.)")
                                .format(Of::plural, Of::name, Of::bad);
   py::class_<Made, HolderOf<Bound>> tree(module, name.c_str(), text.c_str());
@@ -215,7 +216,9 @@ BadBound for {2}.)")
             const py::gil_scoped_release release;
             self.owner.rebuild();
           },
-          "commit(), and sorts all bounds again: for a world that was built bit by bit and stays.")
+          R"(
+Makes all changes visible, and sorts all bounds again: for a world that was built step by step and then stays
+the same.)")
       .def(
           "snapshot",
           [](const Made& self) {
@@ -232,9 +235,9 @@ BadBound for {2}.)")
             return rows_or_row(bounds, in.one);
           },
           arg("ids"),
-          "The values of bounds, with all changes: float32, a row for each id, or a row for one. ValueError for an id "
-          "of\n"
-          "no bound.")
+          R"(
+The values of bounds, with all changes: float32, one row per id, or a row for a single id. ValueError for an
+id without a bound.)")
       .def(
           "__contains__",
           [](const Made& self, const py::object& id) {
@@ -255,14 +258,14 @@ BadBound for {2}.)")
             return array_of(std::move(numbers));
           },
           arg("indices"),
-          "The ids that have these indices now: int64 (k,). -1 for an index without a bound. IndexError for what is "
-          "no\n"
-          "index.")
+          R"(
+The ids of the bounds that have these indices now: int64 (k,). -1 for an index without a bound. IndexError
+for a value that is not an index.)")
       .def_property_readonly(
           "alive", [](const Made& self) { return self.owner.count(); }, "The number of bounds, with all changes: int.")
       .def_property_readonly(
           "memory_bytes", [](const Made& self) { return self.owner.memory_bytes(); },
-          "Bytes of memory that it holds: int.")
+          "The memory that it holds, in bytes: int.")
       .def(
           "set_upkeep",
           [](Made& self, double sorted_per_change) {
@@ -270,22 +273,22 @@ BadBound for {2}.)")
             self.owner.set_upkeep(sorted_per_change);
           },
           arg("sorted_per_change"), R"(
-How many bounds commits sort again, at most, for each change; 2 at first. More keep queries faster, and make
-commits slower. ValueError for a negative or infinite number.)")
+Sets how many bounds a commit may re-sort per change; 2 at first. A larger number keeps queries faster, and
+makes commits slower. ValueError for a negative or infinite number.)")
       .def_property_readonly(
           "upkeep",
           [](const Made& self) {
             const TreeUpkeep upkeep = self.owner.upkeep();
             py::dict numbers;
             numbers["blocks"] = upkeep.blocks;
-            numbers["growth"] = upkeep.growth;
+            numbers["sah_ratio"] = upkeep.sah_ratio;
             numbers["waiting"] = upkeep.waiting;
             numbers["sorted_last"] = upkeep.sorted_last;
             return numbers;
           },
           R"(
-dict of numbers after the last commit(): blocks; growth, of nodes since they were sorted, 1 at best; waiting,
-bounds to be sorted again; sorted_last, bounds that the commit sorted.)");
+A dict of numbers after the last commit(): blocks; sah_ratio, the growth of nodes since they were sorted, 1
+at best; waiting, bounds to be sorted again; sorted_last, bounds that the commit sorted.)");
 }
 
 template <class Bound>

@@ -31,9 +31,9 @@ void add_errors(py::module_& module) {
   static auto& bad_bound = *new py::exception<BadBound>(module, "BadBound", PyExc_ValueError);
   static auto& needs_refit = *new py::exception<NeedsRefit>(module, "NeedsRefit", PyExc_RuntimeError);
   bad_bound.attr("__doc__") = R"(
-A bound, a point or a shaft of an array cannot be used: NaN, lo > hi, a negative radius, or a number that is
-not finite where it must be. Attribute index: its position, from 0 on.)";
-  needs_refit.attr("__doc__") = "A query of a tree came after update() with indices and before refit().";
+A bound, point or shaft of an array cannot be used: NaN, lo > hi, a negative radius, or a number that is not
+finite where it must be. The attribute `index` is its position, counted from 0.)";
+  needs_refit.attr("__doc__") = "A tree was queried after update() with indices and before refit().";
   // pybind11 says what it takes. NOLINTNEXTLINE(performance-unnecessary-value-param)
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {

@@ -62,26 +62,27 @@ Hull casters_of(const ConvexHull& view, const py::object& given, const char* nam
 void add_hulls(py::module_& module) {
   using py::arg;
   py::class_<ConvexHull, Hull>(module, "ConvexHull", R"(
-The convex hull of up to 32 points and directions, which goes where one shaft goes: view frusta, volumes
-whose objects cast shadows into view, volumes between polygons.
+The convex hull of up to 32 points and directions: a view frustum, the volume whose objects cast shadows into
+a view, the volume between polygons. It can be used wherever one shaft can.
 
-points: float32 (n, 3), 1 to 32 with the directions. directions: float32 (m, 3), not 0: the hull has no end
-    that way. float64 is a TypeError: a hull of rounded points need not contain the given hull.
-test: 'exact', or 'conservative': boxes are outside only if they are beyond one face, as in the usual test of a
-    view by its planes. It is quicker, and keeps some boxes beside edges and corners. Casters take that of
-    their view.
+points: float32 (n, 3), 1 to 32 together with the directions. directions: float32 (m, 3), not 0: the hull has
+    no end in these directions. float64 raises TypeError, since a hull of rounded points need not contain the
+    given hull.
+test: 'exact' or 'conservative'. With 'conservative', boxes are outside only if they are beyond one face, as
+    in the usual test of a view by its planes. This test is faster, and keeps some boxes beside edges and
+    corners. Casters have the test of their view.
 
-Boxes and triangles are answered exactly, spheres to the safe side. Queries for times refuse a hull, and
-queries for occluders one that is not made by between_polygons(). Contact is closed;
+Answers for boxes and triangles are exact; answers for spheres err to the safe side. Queries for times refuse
+a hull. Queries for occluders refuse a hull that was not made by between_polygons(). Contact is closed;
 Shafts.concatenate([hull]).with_contact('open') leaves out bounds that only touch the hull.)")
       .def(py::init(&hull_of), arg("points"), arg("directions") = py::none(), arg("test") = "exact")
       .def_static("between_polygons", &hull_between, arg("p"), arg("q"), arg("test") = "exact", R"(
-The ConvexHull of two ends: polygons, turned boxes or others, each the convex hull of its corners. Queries
-about occluders take it: what hides one end from the other.
+The ConvexHull of two ends, such as polygons or turned boxes. Each end is the convex hull of its corners.
+Queries about occluders accept this hull: they find solids that hide one end from the other.
 
-p, q: float32 (n, 3), corners in any order, 1 or more each and 32 together. test: as that of ConvexHull.
+p, q: float32 (n, 3), corners in any order, 1 or more each and at most 32 together. test: as for ConvexHull.
 
-TypeError or ValueError for others.)")
+TypeError or ValueError for other arguments.)")
       .def_static(
           "frustum",
           [](const py::object& matrix, const std::string& depth, const std::string& test) {
@@ -95,30 +96,31 @@ TypeError or ValueError for others.)")
 The volume that a view-projection matrix shows: a ConvexHull.
 
 matrix: float32 (4, 4) that maps column vectors: matrix @ (x, y, z, 1) is in clip space. Round a matrix of
-    float64 by astype(numpy.float32).
+    float64 with astype(numpy.float32).
 depth: 'zero_to_one' (Direct3D, Vulkan, Metal) or 'minus_one_to_one' (OpenGL).
-test: as that of ConvexHull.
+test: as for ConvexHull.
 
 TypeError or ValueError for other arguments, and for a matrix that cannot be inverted.)")
       .def(
           "casters",
           [](const ConvexHull& view, const py::object& light) { return casters_of<&casters>(view, light, "light"); },
           arg("light"), R"(
-The ConvexHull of all points that can cast a shadow into this view by a light at a point.
+The ConvexHull of all points that can cast a shadow into this view, from a light at a point.
 
-light: float32 (3,). TypeError or ValueError for others, and where the hull would need more than 32 corners.)")
+light: float32 (3,). TypeError or ValueError for other arguments, and if the hull would need more than 32
+    corners.)")
       .def(
           "casters_towards",
           [](const ConvexHull& view, const py::object& towards_sun) {
             return casters_of<&casters_towards>(view, towards_sun, "towards_sun");
           },
           arg("towards_sun"), R"(
-The ConvexHull of all points that can cast a shadow into this view by a sun in a direction.
+The ConvexHull of all points that can cast a shadow into this view, from a sun in a direction.
 
-towards_sun: float32 (3,), not 0. TypeError or ValueError for others.)")
+towards_sun: float32 (3,), not 0. TypeError or ValueError for other arguments.)")
       .def_property_readonly(
           "box", [](const ConvexHull& hull) { return array_of(hull.box()); },
-          "float32 (6,): the box around the hull, infinite where directions lead.")
+          "float32 (6,): the box around the hull, infinite on the sides to which directions lead.")
       .def_property_readonly(
           "points", [](const ConvexHull& hull) { return rows_of(hull.points()); }, "float32 (n, 3), as given.")
       .def_property_readonly(
@@ -138,10 +140,10 @@ towards_sun: float32 (3,), not 0. TypeError or ValueError for others.)")
         return rows_of(std::span<const Plane>(planes.begin(), planes.end()));
       },
       arg("matrix"), arg("depth") = "zero_to_one", R"(
-The planes of a view frustum, with normals outwards, to cut shafts to the view: float32 (k, 4), k up to 6,
-normal and offset.
+The planes of a view frustum, with normals outwards, for cutting shafts to the view: float32 (k, 4), k up to
+6, normal and offset.
 
-matrix, depth: as those of ConvexHull.frustum(). TypeError or ValueError for other arguments.)");
+matrix, depth: as for ConvexHull.frustum(). TypeError or ValueError for other arguments.)");
 }
 
 }  // namespace shaftcull::python

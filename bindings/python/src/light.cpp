@@ -41,17 +41,17 @@ void add_light(py::module_& module) {
       arg("patches"), arg("directions"), py::kw_only(), arg("planes") = none, arg("occluders") = none,
       arg("triangles") = none, arg("faces") = none, arg("rays") = RayOptions().rays, arg("error") = RayOptions().error,
       arg("seed") = RayOptions().seed, arg("tolerance") = RayOptions().tolerance, R"(
-Which part of each patch is lit from each direction, by rays: float32 (n, m), from 0 to 1. 0 where the patch
-faces away. lit @ hours are hours of sun, for directions to the sun that each stand for some hours.
+The fraction of each patch that is lit from each direction, by rays: float32 (n, m), from 0 to 1. 0 if the
+patch faces away. If each direction to the sun stands for some hours, lit @ hours are the hours of sun.
 
-patches, planes, occluders, triangles, faces: as of view_factors(), but Patches may have sides='both'.
-directions: to lights that are infinitely far away, float32 (m, 3), of any length.
-rays: from a patch to each light, 1 to 65536. error: fewer if the standard error is at most this.
-seed: chooses the points. tolerance: as of visibility().
+patches, planes, occluders, triangles, faces: as for view_factors(), but Patches may have sides='both'.
+directions: directions to lights that are infinitely far away, float32 (m, 3), of any length.
+rays: the number of rays from a patch to each light, 1 to 65536. error: a patch gets fewer rays if its
+    standard error is at most this.
+seed: determines the points. tolerance: as for visibility().
 
-TypeError, ValueError, IndexError or BadBound names the argument that does not fit. It runs on all
-processors; other threads of Python go on. RuntimeError in a child of fork() whose parent has used all
-processors.)");
+TypeError, ValueError, IndexError or BadBound names the argument that does not fit. Runs on all processors.
+Other threads of Python continue. RuntimeError in a child of fork() whose parent has made parallel calls.)");
 }
 
 }  // namespace shaftcull::python

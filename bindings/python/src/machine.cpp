@@ -27,8 +27,8 @@ void add_machine(py::module_& module) {
         select_isa(*known);
       },
       py::arg("isa"),
-      "Uses an instruction set from now on, in all threads: one of available_isas(). ValueError for another one.");
-  module.def("concurrency", &concurrency, "How many threads a call for many shafts uses.");
+      "Makes all threads use an instruction set from now on: one of available_isas(). ValueError for others.");
+  module.def("concurrency", &concurrency, "The number of threads that a call for many shafts uses.");
 }
 
 }  // namespace shaftcull::python

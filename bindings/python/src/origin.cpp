@@ -99,38 +99,40 @@ std::string text_of_origin(const Origin& origin) {
 void add_origin(py::module_& module) {
   using py::arg;
   py::class_<Origin>(module, "Origin", R"(
-A point of a world in float64 that coordinates are relative to. Near it floats are fine. What is outside of the
-shaft between two boxes from boxes() is outside in the world, too. Solids that hide, and boxes that are to contain
-others, are made with within=True. Nothing is refused that bounds and shafts refuse: NaN and lo > hi stay.)")
+A point of a world in float64 to which coordinates are relative. Near the origin, floats are fine. A bound
+that is outside the shaft between two boxes from boxes() is outside in the world, too. Make solids that hide,
+and boxes that are to contain others, with within=True. Values that bounds and shafts refuse are not refused
+here: NaN and lo > hi stay.)")
       .def(py::init([](const py::object& at) { return Origin(point_in(at, "at")); }),
            arg("at") = py::make_tuple(0, 0, 0),
-           "at: (3,), the origin of the world unless given. ValueError for one that is not finite.")
+           "at: (3,), by default the origin of the world. ValueError for a point that is not finite.")
       .def_static("near", &origin_near, arg("points"), R"(
-An origin near the middle of points (n, 3), such as the corners of a scene. Its coordinates are multiples
-of a power of two. ValueError for no points, and for one that is not finite.)")
+An origin near the middle of points (n, 3), such as the corners of a scene. Its coordinates are multiples of
+a power of two. ValueError for no points, and for a point that is not finite.)")
       .def_property_readonly(
-          "at", [](const Origin& origin) { return coordinates_of(origin.at()); }, "Where it is: float64 (3,).")
+          "at", [](const Origin& origin) { return coordinates_of(origin.at()); }, R"(
+The point of the world where the origin is: float64 (3,).)")
       .def("boxes", &relative_boxes, arg("boxes"), py::kw_only(), arg("within") = false, R"(
-The smallest boxes of float32 that contain these, or the largest within them: the empty box where there is
-none. float32 of the same shape.
+The smallest float32 boxes that contain the given boxes; with within=True, the largest float32 boxes within
+them, or the empty box if there is none. float32 of the same shape.
 
-boxes: (n, 6) of lo and hi, or (6,) for one. TypeError or ValueError for others. Other threads of Python
-    go on.)")
+boxes: (n, 6) of lo and hi, or (6,) for one. TypeError or ValueError for other arrays. Other threads of
+    Python continue.)")
       .def("spheres", &relative_spheres, arg("spheres"), R"(
-Spheres of float32 that contain these: centres are rounded to nearest, and radii grow. float32 of the same
-shape.
+Spheres of float32 that contain the given spheres: centres are rounded to nearest, and radii grow. float32 of
+the same shape.
 
-spheres: (n, 4) of centre and radius, or (4,) for one. TypeError or ValueError for others. Other threads of
-    Python go on.)")
+spheres: (n, 4) of centre and radius, or (4,) for one. TypeError or ValueError for other arrays. Other
+    threads of Python continue.)")
       .def("points", &relative_points, arg("points"), R"(
-The nearest float32 of each coordinate, for vertices of triangles, corners of patches and points of hulls.
+The nearest float32 to each coordinate, for vertices of triangles, corners of patches and points of hulls.
 float32 of the same shape.
 
-points: (n, 3), or (3,) for one. TypeError or ValueError for others. Other threads of Python go on.)")
+points: (n, 3), or (3,) for one. TypeError or ValueError for other arrays. Other threads of Python continue.)")
       .def("to_world", &world_points, arg("points"), R"(
-Where points are in the world: float64 of the same shape.
+The positions of points in the world: float64 of the same shape.
 
-points: float32 (n, 3), or (3,) for one. TypeError or ValueError for others.)")
+points: float32 (n, 3), or (3,) for one. TypeError or ValueError for other arrays.)")
       .def("__repr__", &text_of_origin)
       .def(
           "__eq__", [](const Origin& one, const Origin& other) { return one == other; }, arg("other"),

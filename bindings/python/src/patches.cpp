@@ -173,17 +173,17 @@ void add_patches(py::module_& module) {
   using py::arg;
   const py::object none = py::none();
   py::class_<PatchSet>(module, "Patches", R"(
-Patches for several calls of visibility(), in a tree. They never change. len() is their number.
+Patches in a tree, for several calls of visibility(). They never change. len() is the number of patches.
 
-boxes: float32 (n, 6), or as those of BoxStream: around facets, points, or cells of a volume. Or corners of
-    convex polygons, float32 (n, k, 3) or a list of arrays (k, 3), 3 to 8 of them: a polygon faces the side
-    from which its corners run counter-clockwise, and has no plane of `planes`.
-sides: 'both' is for polygons that are seen from both sides; two in one plane face away. Boxes without
-    planes are seen from all sides.
-planes: float32 (n, 4), or (4,) for all: normal and offset. A patch faces where its normal points. Planes
-    are never rounded outwards: round those of float64 by astype(numpy.float32).
-rounding: 'outwards' takes boxes of float64, too, and contains them: pairs that are clear or occluded are so
-    as given.
+boxes: float32 (n, 6), or as for BoxStream: boxes around facets, points, or cells of a volume. Or corners of
+    convex polygons, float32 (n, k, 3) or a list of arrays (k, 3), 3 to 8 corners each: a polygon faces the
+    side from which its corners run counter-clockwise, and takes no plane from `planes`.
+sides: 'both' is for polygons that are seen from both sides; two polygons in one plane face away. Boxes
+    without planes are seen from all sides.
+planes: float32 (n, 4), or (4,) for all: normal and offset. A patch faces where its normal points. Planes are
+    never rounded outwards: round planes of float64 with astype(numpy.float32).
+rounding: 'outwards' also accepts boxes of float64, and contains them: pairs that are clear or occluded are
+    so as given, too.
 
 BadBound, with the index, for a box that is not finite or has lo > hi, and for a plane without a normal.
 TypeError or ValueError for other arrays.)")
@@ -201,20 +201,22 @@ uint32 (n,): the indices of the patches in the order of the tree, neighbours in 
            [](const PatchSet& self) { return "<shaftcull.Patches, " + std::to_string(self.size()) + " of them>"; });
 
   py::class_<OccludersHolder>(module, "Occluders", R"(
-All that stands between patches, for several calls of visibility(). It never changes. len() is the number of
-occluders, which are numbered from 0 on: first those of `boxes`, then solids, hulls, polygons, and groups of
+The occluders between patches, for several calls of visibility(). They never change. len() is the number of
+occluders. They are numbered from 0: first the boxes of `boxes`, then solids, hulls, polygons, and groups of
 triangles.
 
-boxes: around things that may hide something: float32 (n, 6), or as those of BoxStream.
-solids: solid boxes, as walls are. They make pairs 'occluded', also where several are one larger box together.
-hulls: convex hulls that are solid: float32 (n, k, 3), or a list of (k, 3), of 4 corners or more each.
-polygons: flat convex polygons without thickness: such arrays, of 3 corners or more in order.
+boxes: boxes around things that may hide something: float32 (n, 6), or as for BoxStream.
+solids: solid boxes, such as walls. They make pairs 'occluded', also if several form one larger box together.
+hulls: solid convex hulls: float32 (n, k, 3), or a list of (k, 3), with 4 or more corners each.
+polygons: flat convex polygons without thickness: arrays as for hulls, with 3 or more corners in order.
 triangles, faces: a mesh, float32 (n, 3, 3), or vertices (v, 3) with faces, integers (f, 3).
-groups: integers (g + 1,): group i has triangles groups[i] to groups[i + 1]. None: the library makes groups.
-find_solids: True finds bodies, walls and floors in the triangles, which make pairs 'occluded'. They are no
-    occluders: `found` says how many there are. Closed surfaces must face outwards to be bodies.
-rounding: 'outwards' takes `boxes` of float64, too, and contains them: a pair that is clear is so as given. The
-    others are never rounded outwards, since a larger solid hides too much: use astype(numpy.float32).
+groups: integers (g + 1,): group i has triangles groups[i] to groups[i + 1]. With None, the library makes
+    groups.
+find_solids: True finds bodies, walls and floors in the triangles, which make pairs 'occluded'. These solids
+    are not occluders; `found` has their numbers. Closed surfaces must face outwards to be bodies.
+rounding: 'outwards' also accepts `boxes` of float64, and contains them: a pair that is clear is so as given,
+    too. The other arguments are never rounded outwards, since a larger solid hides too much: use
+    astype(numpy.float32).
 
 BadBound, with the index, for a value that is not finite or lo > hi. TypeError, ValueError or IndexError
 names the argument that does not fit.)")
@@ -236,21 +238,21 @@ How many solids were found in the triangles: a dict with 'hulls' (convex bodies)
           "first", [](const OccludersHolder& self) { return dict_of(self.first); },
           R"(
 The number of the first occluder of each argument that was given: a dict such as
-{'solids': 0, 'triangles': 12}. Boxes are 'occluders'.)")
+{'solids': 0, 'triangles': 12}. The key for `boxes` is 'occluders'.)")
       .def(
           "box",
           [](const OccludersHolder& self, const py::object& occluder) {
             return array_of(self.all->box(number_of(self, occluder)));
           },
-          arg("occluder"), "The box around one occluder: float32 (6,). IndexError for a number that names nothing.")
+          arg("occluder"), "The box around one occluder: float32 (6,). IndexError for a number out of range.")
       .def(
           "triangles",
           [](const OccludersHolder& self, const py::object& occluder) {
             return copy_of(self.all->triangles(number_of(self, occluder)));
           },
           arg("occluder"), R"(
-The triangles of one occluder: uint32 (k,), none if it is no group of triangles. IndexError for a number
-that names nothing.)")
+The triangles of one occluder: uint32 (k,), empty unless it is a group of triangles. IndexError for a number
+out of range.)")
       .def("__repr__", [](const OccludersHolder& self) {
         return "<shaftcull.Occluders, " + std::to_string(self.all->size()) + " of them>";
       });

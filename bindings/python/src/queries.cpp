@@ -16,24 +16,25 @@ using py::arg;
 
 constexpr const char* about_shafts = R"(
 
-shafts, b: Shafts of shape (n,) or (); a ConvexHull; or boxes a and b, as Shafts.between() takes them.
-exclude: integers (k,), or one: bounds to leave out for all shafts, such as the moving body itself.
-exclude_each: integers (n, k) or (n,): a row of indices for each of n shafts, such as its own two ends.
+shafts, b: Shafts of shape (n,) or (); a ConvexHull; or boxes a and b, as for Shafts.between().
+exclude: integers (k,), or one integer: bounds to leave out for all shafts, such as the moving body itself.
+exclude_each: integers (n, k) or (n,): a row of bounds to leave out per shaft, such as the two objects at its
+    ends.
 exclude_mask: bool (bounds,): True leaves a bound out for all shafts.
-layer_mask: integers from 0 to 2**32 - 1, one or (n,): leaves out bounds in none of these layers.)";
+layer_mask: integers from 0 to 2**32 - 1, one or (n,): leaves out bounds that are in none of these layers.)";
 
 constexpr const char* about_calls = R"(
 
-TypeError, ValueError or IndexError names the argument that does not fit; NeedsRefit is for a tree that needs
-refit(), RuntimeError for bounds that another thread is changing. One shaft runs on the calling thread, n on
-all processors; other threads of Python go on, and may make queries, too.)";
+TypeError, ValueError or IndexError names the argument that does not fit. NeedsRefit for a tree that needs
+refit(). RuntimeError for bounds that another thread is changing. A query of one shaft runs on the calling
+thread, a query of n shafts on all processors. Other threads of Python continue, and may make queries, too.)";
 
 // Keywords that some queries take, in the order of their names.
 
 struct LimitKeyword {
   using Value = py::object;
   static constexpr const char* about = R"(
-limit: an integer of 0 or more: stops at so many results for each shaft, the first ones.)";
+limit: an integer, 0 or more: stops after this many results per shaft.)";
   static py::arg_v named() { return arg("limit") = py::none(); }
   static void give(Options& options, const Value& limit) {
     options.limit = number_in(limit, "limit").value_or(Query::no_limit);
@@ -43,7 +44,7 @@ limit: an integer of 0 or more: stops at so many results for each shaft, the fir
 struct OnlyKeyword {
   using Value = py::object;
   static constexpr const char* about = R"(
-only: integers (k,): looks only at these bounds, such as candidates of a larger shaft, in their order.)";
+only: integers (k,): tests only these bounds, such as candidates of a larger shaft, in the given order.)";
   static py::arg_v named() { return arg("only") = py::none(); }
   static void give(Options& options, const Value& only) {
     if (!only.is_none()) options.only = indices_for_all(only, "only", options.bounds);
@@ -53,8 +54,9 @@ only: integers (k,): looks only at these bounds, such as candidates of a larger 
 struct SkipKeyword {
   using Value = bool;
   static constexpr const char* about = R"(
-skip_overlapping: True leaves out bounds that the box overlaps at the start: with closed contact all that touch
-    it, with open contact those that reach into it, so that a wall beside it still stops it.)";
+skip_overlapping: True leaves out bounds that the box overlaps at the start. With closed contact, these are
+    all bounds that touch it; with open contact, those that reach into it, so a wall beside the box still
+    stops it.)";
   static py::arg_v named() { return arg("skip_overlapping") = false; }
   static void give(Options& options, Value skip) { options.skip_overlapping = skip; }
 };
@@ -62,7 +64,7 @@ skip_overlapping: True leaves out bounds that the box overlaps at the start: wit
 struct TestKeyword {
   using Value = std::string;
   static constexpr const char* about = R"(
-triangle_test: 'exact'; for triangles also 'vertices', which is cheaper and keeps more.)";
+triangle_test: 'exact'; for triangles also 'vertices', which is faster and keeps more triangles.)";
   static py::arg_v named() { return arg("triangle_test") = "exact"; }
   static void give(Options& options, const Value& test) { options.triangle_test = triangle_test_in(test); }
 };
@@ -91,13 +93,13 @@ void ask(Class& to, const char* name, py::object (*question)(const Question&, Ex
 /// Queries of all bounds.
 void add_queries(py::class_<Holder>& to) {
   ask<OnlyKeyword, TestKeyword>(to, "cull", &ask_cull, R"(
-Which bounds the shafts keep, as they are not outside: bool (n, bounds), or (bounds,) for one shaft. With
-packed=True uint64 (n, (bounds + 63) // 64): bit i % 64 of word i // 64 is bound i.)",
+Which bounds the shafts keep (bounds that are not outside): bool (n, bounds), or (bounds,) for one shaft.
+With packed=True, uint64 (n, (bounds + 63) // 64): bit i % 64 of word i // 64 is for bound i.)",
                                 arg("packed") = false);
   ask<OnlyKeyword, TestKeyword>(to, "any", &ask_any, R"(
 Whether the shafts keep any bound: bool (n,), or a bool for one shaft.)");
   ask<OnlyKeyword, TestKeyword>(to, "classify", &ask_classify, R"(
-Which bounds the shafts keep, and which of these are inside: a tuple of two arrays as that of cull().)",
+Which bounds the shafts keep, and which of these are inside: a tuple of two arrays like that of cull().)",
                                 arg("packed") = false);
   ask<LimitKeyword, OnlyKeyword, TestKeyword>(to, "count", &ask_count, R"(
 How many bounds the shafts keep: int64 (n,), or an int for one shaft.)");
@@ -105,44 +107,47 @@ How many bounds the shafts keep: int64 (n,), or an int for one shaft.)");
 How many bounds overlap the shafts and how many are inside: two int64 (n,), or two int for one shaft.)");
   ask<LimitKeyword, OnlyKeyword, TestKeyword>(to, "list", &ask_list, R"(
 The indices of the bounds that the shafts keep: IndexLists of n lists, or uint32 (k,) for one shaft. Lists
-ascend; those of a tree have its order. With times=True, IndexLists.times, or a second array for one shaft,
-tells when the moving box reaches each box or sphere: float32, as first_contact() says.)",
+ascend; lists of a tree are in tree order. With times=True, IndexLists.times (for one shaft, a second array)
+has the times at which the moving box reaches each box or sphere: float32, as in first_contact().)",
                                               arg("times") = false);
   ask<OnlyKeyword, TestKeyword>(to, "list_classified", &ask_list_classified, R"(
-The indices of the bounds that overlap the shafts, and of those that are inside: two results as of list().)");
+The indices of the bounds that overlap the shafts, and of those that are inside: two results like that of
+list().)");
 }
 
 /// Queries of boxes and spheres.
 template <class Bound>
 void add_first_contact(py::class_<HolderOf<Bound>, Holder>& to) {
   ask<OnlyKeyword, SkipKeyword>(to, "first_contact", &ask_first_contact, R"(
-Which bound the moving box of each shaft reaches first, and when: a tuple of indices, int64 (n,), and times,
-float32 (n,); an int and a float for one shaft. -1 and infinity if it reaches none. Time is 0 at a and 1 at
-b: a swept body has moved by its whole displacement at 1. Times are rounded down; which bound is first is
-decided exactly. With normals=True a third array, float32 (n, 3), or (3,) for one shaft: normals of contact, of
-unit length, from the bound towards the moving box. For a box it is one of +-x, +-y and +-z; zero if the two
-overlap at the start, or touch there without the box moving into the bound. ValueError for hulls.)",
+The bound that the moving box of each shaft reaches first, and the time: a tuple of indices, int64 (n,), and
+times, float32 (n,); for one shaft, an int and a float. They are -1 and infinity if the box reaches no bound.
+Time is 0 at a and 1 at b: at time 1, a swept body has moved by its whole displacement. Times are rounded
+down; the first bound is determined exactly. With normals=True, a third array has the normals of contact:
+float32 (n, 3), or (3,) for one shaft. They have unit length, and point from the bound towards the moving
+box. For a box, the normal is one of +-x, +-y and +-z. It is zero if the two overlap at the start, or touch
+at the start without the box moving into the bound. ValueError for hulls.)",
                                 arg("normals") = false);
   to.def("entry_times", &ask_entry_times, arg("shafts"), arg("indices"), R"(
-When the moving box of one shaft reaches bounds: float32 (k,), as first_contact() says; infinity for bounds
-that the shaft does not keep.
+The times at which the moving box of one shaft reaches bounds: float32 (k,), as in first_contact(). Infinity
+for bounds that the shaft does not keep.
 
 shafts: Shafts of shape (). indices: integers (k,). ValueError for more shafts and for hulls, IndexError for
-    an index that names nothing, NeedsRefit for a tree that needs refit(). It runs on the calling thread;
-    others go on.)");
+    an index out of range, NeedsRefit for a tree that needs refit(). Runs on the calling thread. Other
+    threads of Python continue.)");
 }
 
 /// Queries of boxes that are solid.
 void add_occluders(py::class_<HolderOf<Box>, Holder>& to) {
   ask(to, "occluded", &ask_occluded, R"(
-Whether one of the boxes, which are solid, hides one end of a shaft from the other: every segment between
-the relative interiors of a and b passes through it, which is more than to touch it. bool (n,), or a bool
-for one shaft. ValueError for shafts that are not between boxes.)");
+Whether one of the boxes, which are solid, hides one end of a shaft from the other: every segment between the
+relative interiors of a and b passes through the box, and does not only touch it. bool (n,), or a bool for
+one shaft. ValueError for shafts that are not between boxes.)");
   ask(to, "find_occluder", &ask_find_occluder, R"(
-The index of a box that hides one end of a shaft from the other, as occluded() says: int64 (n,), or an int
-for one shaft; -1 for none.)");
+The index of a box that hides one end of a shaft from the other, as in occluded(): int64 (n,), or an int for
+one shaft; -1 if no box does.)");
   ask<LimitKeyword>(to, "list_occluders", &ask_list_occluders, R"(
-The indices of all boxes that hide one end of a shaft from the other (occluded()): a result as of list().)");
+The indices of all boxes that hide one end of a shaft from the other, as in occluded(): a result like that of
+list().)");
 }
 
 void set_layers(Holder& self, const py::object& layers, const py::object& indices) {
@@ -164,20 +169,21 @@ void set_layers(Holder& self, const py::object& layers, const py::object& indice
 
 void add_layers(py::class_<Holder>& to) {
   to.def("set_layers", &set_layers, arg("layers"), arg("indices") = py::none(), R"(
-Puts bounds into layers, which queries choose by (layer_mask): bit l says that a bound is in layer l. A
-TriangleTree has none.
+Puts bounds into layers, by which queries select bounds (layer_mask): bit l is set if the bound is in layer
+l. A TriangleTree has no layers.
 
-layers: integers (bounds,) from 0 to 2**32 - 1, which are copied; with indices, integers (k,), those of these.
+layers: integers (bounds,) from 0 to 2**32 - 1, which are copied; with indices, integers (k,), the layers of
+    these bounds.
 
-ValueError for another number of them, IndexError for an index that names nothing, RuntimeError if another
-thread uses this object.)")
+ValueError for another number of layers, IndexError for an index out of range, RuntimeError if another thread
+uses this object.)")
       .def(
           "clear_layers",
           [](Holder& self) {
             const Changing changing(self.usage);
             self.clear_layers();
           },
-          "Forgets all layers. RuntimeError if another thread uses this object.")
+          "Removes all layers. RuntimeError if another thread uses this object.")
       .def_property_readonly("has_layers", &Holder::has_layers, "bool: whether bounds are in layers.");
 }
 
@@ -197,8 +203,8 @@ py::class_<HolderOf<Bound>, Holder> add_kind(py::module_& module) {
 
 void add_bounds(py::module_& module) {
   py::class_<Holder> bounds(module, "Bounds", R"(
-Boxes, spheres or triangles, in a view, a stream or a tree, and the queries that shafts make of them.
-Answers do not depend on the container. len() is the number of bounds.)");
+Boxes, spheres or triangles in a view, a stream or a tree, and the queries of shafts against them. Answers do
+not depend on the container. len() is the number of bounds.)");
   bounds.def("__len__", &Holder::size);
   add_queries(bounds);
   add_layers(bounds);

@@ -118,26 +118,28 @@ Shafts shafts_in(const py::object& shafts, const py::object& b) {
 void add_shafts(py::module_& module) {
   using py::arg;
   py::class_<Shafts> shafts(module, "Shafts", R"(
-An array of shafts: of shape (n,), or () for one shaft.
+An array of shafts, of shape (n,), or () for one shaft.
 
-between(), swept(), swept_infinite(), shadow() and concatenate() make shafts, which never change and take
-832 bytes each. An integer as index gives one shaft, a slice of step 1 a view, and others copies.)");
+between(), swept(), swept_infinite(), shadow() and concatenate() make shafts. Shafts never change, and take
+832 bytes each. An integer index gives one shaft, a slice of step 1 gives a view, and other indices give
+copies.)");
   add_volumes(shafts);
   shafts
       .def_static("concatenate", &concatenated, arg("parts"), R"(
-All shafts of several Shafts and ConvexHulls, in that order: shape (n,). Hulls live as long as the result.
+All shafts of several Shafts and ConvexHulls, in the given order: shape (n,). The result keeps the hulls
+alive.
 
-parts: a sequence of Shafts and ConvexHulls. TypeError for others.)")
+parts: a sequence of Shafts and ConvexHulls. TypeError for other parts.)")
       .def(
           "__len__",
           [](const Shafts& self) {
             if (self.one) refuse_single("len()");
             return self.count;
           },
-          "How many shafts. TypeError for one shaft, of shape ().")
+          "The number of shafts. TypeError for one shaft, of shape ().")
       .def("__getitem__", &item, arg("key"), R"(
-One shaft, or several, as NumPy's index gives them: an integer, a slice, an array of integers (k,) or of
-bool (n,). IndexError for one that names nothing.)")
+One or several shafts, selected as in NumPy by an integer, a slice, or an array of integers (k,) or of bool
+(n,). IndexError for an index out of range.)")
       .def("__repr__",
            [](const Shafts& self) -> py::object {
              if (!self.one) return py::str("<shaftcull.Shafts of shape {}>").format(shape(self));
@@ -148,10 +150,10 @@ bool (n,). IndexError for one that names nothing.)")
       .def_property_readonly("shape", &shape, "A tuple of int: (n,), or () for one shaft.")
       .def_property_readonly(
           "a", [](const Shafts& self) { return ends(self, &CompiledShaft::a); },
-          "float32 (n, 6) or (6,): the boxes where shafts begin; for a convex hull the box around it.")
+          "float32 (n, 6) or (6,): the boxes where shafts begin; for a convex hull, the box around it.")
       .def_property_readonly(
           "b", [](const Shafts& self) { return ends(self, &CompiledShaft::b); },
-          "float32 (n, 6) or (6,): where shafts end, rounded to nearest; if they have no end, somewhere on their way.")
+          "float32 (n, 6) or (6,): the boxes where shafts end, rounded to nearest; without end, a box on the way.")
       .def_property_readonly(
           "open_contact",
           [](const Shafts& self) {
@@ -165,8 +167,8 @@ bool (n,). IndexError for one that names nothing.)")
             return changed(self, [touching](std::span<CompiledShaft> all) { set_contact(all, touching); });
           },
           arg("contact"), R"(
-Copies that keep bounds which only touch them ('closed') or do not ('open'); of a hull, copies of
-Shafts.concatenate([hull]). ValueError for other words.)")
+Copies that keep ('closed') or leave out ('open') bounds that only touch them. For a hull, use
+Shafts.concatenate([hull]). ValueError for other values.)")
       .def(
           "completed",
           [](const Shafts& self) {
@@ -175,8 +177,8 @@ Shafts.concatenate([hull]). ValueError for other words.)")
             });
           },
           R"(
-Copies with their planes worked out, about 65 ns each. It pays for shafts of several queries about spheres,
-or about bounds that are inside; answers are the same.)")
+Copies whose joining planes are computed, in about 65 ns per shaft. Answers are the same. This pays off for
+shafts of several queries about spheres, or about bounds that are inside.)")
       .def(
           "occluded_by_polygon",
           [](const Shafts& self, const py::object& corners) {
@@ -184,11 +186,12 @@ or about bounds that are inside; answers are the same.)")
             return bools(self, [&polygon](const CompiledShaft& shaft) { return occluded(shaft, polygon.vectors); });
           },
           arg("corners"), R"(
-Whether a convex polygon hides one end of a shaft from the other: a wall at any angle. bool (n,), or a bool
-for one shaft.
+Whether a convex polygon, such as a wall at any angle, hides one end of a shaft from the other. bool (n,), or
+a bool for one shaft.
 
-corners: float32 (k, 3) in order, either way round, k >= 3. ValueError for fewer or ones that are not finite,
-    and for shafts that are not between boxes. It runs on the calling thread; others go on.)");
+corners: float32 (k, 3) in order, either way round, k >= 3. ValueError for fewer corners, for corners that
+    are not finite, and for shafts that are not between boxes. Runs on the calling thread. Other threads of
+    Python continue.)");
 }
 
 }  // namespace shaftcull::python

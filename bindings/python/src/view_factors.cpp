@@ -48,10 +48,10 @@ scipy.sparse.csr_array((f.data, f.indices, f.indptr), f.shape). Row i has the fa
           "The factors, which are above 0, row by row: float64 (nnz,).")
       .def_property_readonly(
           "indices", [](const Factors& self) { return self.indices; },
-          "To which patch each factor is, ascending in a row: int32 (nnz,).")
+          "The patch to which each factor is, ascending in a row: int32 (nnz,).")
       .def_property_readonly(
           "indptr", [](const Factors& self) { return self.indptr; },
-          "Where the factors of each row begin, and then where the last end: int64 (n + 1,).")
+          "Where the factors of each row begin; then the end of the last: int64 (n + 1,).")
       .def_property_readonly(
           "shape", [](const Factors& self) { return py::make_tuple(self.area.size(), self.area.size()); },
           "(n, n), for n patches.")
@@ -59,16 +59,18 @@ scipy.sparse.csr_array((f.data, f.indices, f.indptr), f.shape). Row i has the fa
           "area", [](const Factors& self) { return self.area; }, "The area of each patch: float64 (n,).")
       .def_property_readonly(
           "row_sum", [](const Factors& self) { return self.sum; },
-          "The sum of each row, with what is left out: float64 (n,). 1 - row_sum is what meets no patch, as the sky.")
+          R"(
+The sum of each row, left-out factors included: float64 (n,). 1 - row_sum is the share that meets no patch:
+the sky.)")
       .def_property_readonly(
           "error", [](const Factors& self) { return self.error; },
           "The estimated standard error of each sum: float64 (n,).")
       .def_property_readonly(
           "left_out", [](const Factors& self) { return self.left_out; },
-          "Which part of each sum is left out, as it is below `least`: float64 (n,).")
+          "The part of each sum that is left out, because factors are below `least`: float64 (n,).")
       .def_property_readonly(
           "counts", [](const Factors& self) { return self.counts; },
-          "How many pairs are 'undecided', 'clear', 'occluded' and 'facing_away': a dict of int.")
+          "The number of pairs that are 'undecided', 'clear', 'occluded' and 'facing_away': a dict of int.")
       .def("__repr__", [](const Factors& self) {
         return "<shaftcull.ViewFactors of " + std::to_string(self.area.size()) + " patches, " +
                std::to_string(self.data.size()) + " above 0>";
@@ -105,23 +107,27 @@ void add_view_factors(py::module_& module) {
       arg("faces") = none, arg("rays") = ViewFactorOptions().rays, arg("error") = ViewFactorOptions().error,
       arg("seed") = ViewFactorOptions().seed, arg("least") = ViewFactorOptions().least, arg("close") = false,
       arg("tolerance") = 0.0F, arg("memory") = ViewFactorOptions().memory, arg("progress") = none, R"(
-The view factors of each two patches: of clear pairs as view_factor(), of others by rays, and 0 of pairs that
-one solid hides and that face away. The same bits for any number of processors. Returns a ViewFactors.
+The view factors of every two patches. Clear pairs have view_factor(), and pairs that are occluded or face
+away have 0. For all other pairs, rays estimate the factors. The result has the same bits for any number of
+processors. Returns a ViewFactors.
 
-patches: corners, float32 (n, k, 3), counterclockwise as seen from where they radiate; boxes that are flat,
-    float32 (n, 6), with planes; or Patches. planes: float32 (n, 4), or (4,) for all.
-occluders: boxes, which count as solid; or Occluders. triangles with faces: what stands between, the patches' own
-    bodies included, in place of Occluders; solids are looked for in them.
-rays: most rays of a pair, 1 to 65536. error: a pair gets fewer if the standard error of its factors is at most
-    this. seed: chooses the points of rays.
+patches: corners, float32 (n, k, 3), counterclockwise as seen from the side to which they radiate; flat
+    boxes, float32 (n, 6), with planes; or Patches. planes: float32 (n, 4), or (4,) for all.
+occluders: boxes, which count as solid; or Occluders. triangles with faces: the objects between patches,
+    including the bodies that patches belong to, in place of Occluders; the call finds solids in them.
+rays: the largest number of rays per pair, 1 to 65536. error: a pair gets fewer rays if the standard error of
+    its factors is at most this. seed: determines the points of rays.
 least: pairs both of whose factors are below this are left out; left_out has their sums.
-close: whether rows are scaled to sum to 1, as those of a closed room do; ValueError if they are far from it.
-tolerance: as of visibility(). memory: bytes that answers under way may take, besides the factors, 1 MB or more.
-progress: called as progress(done, total) some times a second, on this thread; if it raises, the call ends.
+close: whether rows are scaled to sum to 1, as those of a closed room do; ValueError if the sums are far from
+    1.
+tolerance: as for visibility(). memory: limit in bytes for answers in progress, without the factors, 1 MB or
+    more.
+progress: called as progress(done, total) several times per second, on this thread; if it raises, the call
+    ends.
 
-TypeError, ValueError, IndexError or BadBound names the argument that does not fit; also for patches without
-planes, and for Patches with sides='both'. It runs on all processors; other threads of Python go on, and
-Ctrl-C ends it. RuntimeError in a child of fork() whose parent has used all processors.)");
+TypeError, ValueError, IndexError or BadBound names the argument that does not fit; patches without planes,
+and Patches with sides='both', do not fit. Runs on all processors. Other threads of Python continue, and
+Ctrl-C ends the call. RuntimeError in a child of fork() whose parent has made parallel calls.)");
   module.def(
       "view_factor",
       [](const py::object& from_corners, const py::object& to_corners) {
@@ -129,11 +135,12 @@ Ctrl-C ends it. RuntimeError in a child of fork() whose parent has used all proc
                            vectors_in(to_corners, "to_corners").vectors);
       },
       arg("from_corners"), arg("to_corners"), R"(
-The view factor from one flat convex polygon to another with nothing between them, from 0 to 1. What is
-behind the other's plane does not count. The error is below 1e-8 of it, or 1e-11.
+The view factor from one flat convex polygon to another with nothing between them, from 0 to 1. The part of a
+polygon that is behind the plane of the other does not count. The error is below 1e-8 of the factor, or
+1e-11.
 
-from_corners, to_corners: float32 (k, 3), 3 to 8 corners, counterclockwise as seen from the front. ValueError for
-    another number of them, for one that is not finite, and if the first polygon has no area.)");
+from_corners, to_corners: float32 (k, 3), 3 to 8 corners, counterclockwise as seen from the front. ValueError
+    for another number of corners, for a corner that is not finite, and if the first polygon has no area.)");
 }
 
 }  // namespace shaftcull::python

@@ -116,29 +116,30 @@ const Visibility& found_in(const py::object& self) { return self.cast<const Sigh
 
 void add_sights(py::module_& module) {
   py::class_<Sights>(module, "Visibility", R"(
-The answers of visibility() for all pairs. pairs() and bits() give the pairs of one kind; `blocks` and
-`undecided` are the same pairs in less memory. Arrays are read-only, and keep the Visibility alive.)")
+The answers of visibility() for all pairs. pairs() and bits() return the pairs with one answer; `blocks` and
+`undecided` hold the same pairs in less memory. Arrays are read-only, and keep the Visibility alive.)")
       .def_property_readonly(
           "counts", [](const Sights& self) { return counts_of(self.all.counts); },
-          "How many pairs are 'undecided', 'clear', 'occluded' and 'facing_away': a dict of int.")
+          "The number of pairs that are 'undecided', 'clear', 'occluded' and 'facing_away': a dict of int.")
       .def_property_readonly(
           "blocks",
           [](const py::object& self) {
             return seen_in<std::uint32_t>(self, found_in(self).blocks, offsetof(PairBlock, a), 4);
           },
           R"(
-Pairs that are decided, in blocks: uint32 (p, 4). A row is first_a, count_a, first_b, count_b: each patch of
-order_a[first_a:first_a + count_a] with each of order_b[first_b:first_b + count_b] is as `sights` says.)")
+Decided pairs, in blocks: uint32 (p, 4). A row is first_a, count_a, first_b, count_b: every pair of a patch
+of order_a[first_a:first_a + count_a] and a patch of order_b[first_b:first_b + count_b] has the answer in
+`sights`.)")
       .def_property_readonly(
           "sights",
           [](const py::object& self) {
             return seen_in<std::uint8_t>(self, found_in(self).blocks, offsetof(PairBlock, sight));
           },
-          "The kind of all pairs of each pair block: uint8 (p,): 1 clear, 2 occluded, 3 facing_away.")
+          "The answer for all pairs of each pair block: uint8 (p,): 1 clear, 2 occluded, 3 facing_away.")
       .def_property_readonly(
           "undecided",
           [](const py::object& self) { return seen_in<std::uint32_t>(self, found_in(self).undecided, 0, 2); },
-          "Pairs that are undecided: uint32 (n, 2), indices of patches.")
+          "Undecided pairs: uint32 (n, 2), indices of patches.")
       .def_property_readonly(
           "candidates",
           [](const py::object& self) -> py::object {
@@ -148,24 +149,27 @@ order_a[first_a:first_a + count_a] with each of order_b[first_b:first_b + count_
           },
           R"(
 The candidates of each undecided pair, which are the occluders that reach between its patches: IndexLists of
-n lists, whose numbers ascend; or None, if there are no candidates.)")
+n ascending lists; None if candidates were not requested.)")
       .def_property_readonly(
           "order_a", [](const Sights& self) { return copy_of(self.asked.a.order()); },
-          "The order that pair blocks refer to: uint32 (a,), indices of patches. A copy.")
+          "The order to which pair blocks refer: uint32 (a,), indices of patches. A copy.")
       .def_property_readonly(
           "order_b", [](const Sights& self) { return copy_of(self.asked.b.order()); },
-          "The same of patches_b: uint32 (b,); for one set with itself it is order_a.")
+          "The same for patches_b: uint32 (b,); for one set with itself it is order_a.")
       .def_property_readonly(
-          "occluders", [](const Sights& self) { return self.asked.occluders; }, "What stood between: Occluders.")
+          "occluders", [](const Sights& self) { return self.asked.occluders; }, R"(
+The occluders that stood between patches: Occluders.)")
       .def("pairs", &pairs_of, arg("sight"), R"(
-All pairs of one kind: uint32 (n, 2), indices of patches; for one set with itself each pair once.
+All pairs with one answer: uint32 (n, 2), indices of patches; for one set with itself, each pair once.
 
-sight: 'undecided', 'clear', 'occluded' or 'facing_away'; ValueError for others. Other threads go on.)")
+sight: 'undecided', 'clear', 'occluded' or 'facing_away'; ValueError for other values. Other threads of
+    Python continue.)")
       .def("bits", &rows_of_bits, arg("sight"), py::kw_only(), arg("packed") = false, R"(
-Which pairs are of one kind: bool (a, b). With packed=True uint64 (a, (b + 63) // 64) instead, 64 pairs to a
-word. For one set with itself both bits of a pair are set.
+Which pairs have one answer: bool (a, b). With packed=True, uint64 (a, (b + 63) // 64), 64 pairs per word.
+For one set with itself, both bits of a pair are set.
 
-sight: 'undecided', 'clear', 'occluded' or 'facing_away'; ValueError for others. Other threads go on.)")
+sight: 'undecided', 'clear', 'occluded' or 'facing_away'; ValueError for other values. Other threads of
+    Python continue.)")
       .def(
           "fractions",
           [](const Sights& self, std::uint32_t rays, double error, std::uint64_t seed) {
@@ -185,12 +189,12 @@ sight: 'undecided', 'clear', 'occluded' or 'facing_away'; ValueError for others.
           },
           py::kw_only(), arg("rays") = RayOptions().rays, arg("error") = RayOptions().error,
           arg("seed") = RayOptions().seed, R"(
-Which part of each undecided pair is visible, by rays between points of both patches: float32 (n,), from 0
-to 1. A box counts as solid.
+The visible fraction of each undecided pair, by rays between points of both patches: float32 (n,), from
+0 to 1. A box counts as solid.
 
-rays: how many of each pair, 1 to 65536. error: a pair gets fewer if its standard error is at most this.
-seed: chooses the points. ValueError for others, without candidates, and for patches that are boxes with an
-interior. Other threads go on.)")
+rays: the number of rays per pair, 1 to 65536. error: a pair gets fewer rays if its standard error is at most
+this. seed: determines the points. ValueError for other values, without candidates, and for patches that are
+boxes with an interior. Other threads of Python continue.)")
       .def("__repr__", [](const Sights& self) {
         const SightCounts& counts = self.all.counts;
         return "<shaftcull.Visibility of " + std::to_string(counts.total()) + " pairs, " +
@@ -232,22 +236,25 @@ void add_call(py::module_& module, const char* name, Run run, const std::string&
       arg("memory") = VisibilityOptions().memory, arg("progress") = none, args...,
       (text + R"(
 
-patches, patches_b: boxes, float32 (n, 6), corners, float32 (n, k, 3), or Patches. Without patches_b, each two
-    patches are one pair.
-planes, planes_b: for patches that have a side: float32 (n, 4), or (4,) for all; normal and offset.
-occluders: boxes around things that may hide something; or Occluders, and then none of the five that follow.
-solids, hulls, polygons, triangles with faces, groups: what else stands between, as Occluders say.
-rounding: 'outwards' takes boxes of float64, too, of patches and `occluders`, as Patches and Occluders say.
-contact: 'open' leaves out what only touches a shaft, so a patch may lie on an occluder; 'closed' does not.
+patches, patches_b: boxes, float32 (n, 6); corners, float32 (n, k, 3); or Patches. Without patches_b, every
+    two patches are one pair.
+planes, planes_b: for patches that face one side: float32 (n, 4), or (4,) for all; normal and offset.
+occluders: boxes around things that may hide something; or Occluders, and then none of the arguments from
+    solids to groups.
+solids, hulls, polygons, triangles with faces, groups: other objects between patches, as for Occluders.
+rounding: 'outwards' also accepts boxes of float64 for patches and `occluders`, as for Patches and Occluders.
+contact: 'open' leaves out occluders that only touch a shaft, so a patch may lie on an occluder; 'closed'
+    does not.
 tolerance: how far in front of a plane a point may be and still count as behind it, for rounded corners.
-solids_around_ends: whether a solid that reaches around a patch makes its pairs 'occluded'.
-memory: bytes that answers under way may take, 1 MB or more.
-progress: called as progress(done, total) some times a second, on this thread; if it raises, the call ends.)" +
+solids_around_ends: whether a solid that a patch reaches into may make pairs of the patch 'occluded'.
+memory: limit in bytes for answers in progress, 1 MB or more.
+progress: called as progress(done, total) several times per second, on this thread; if it raises, the call
+    ends.)" +
        about_extra + R"(
 
-TypeError, ValueError, IndexError or BadBound names the argument that does not fit. It runs on all
-processors; other threads of Python go on, and Ctrl-C ends it. RuntimeError in a child of fork() whose
-parent has used all processors.)")
+TypeError, ValueError, IndexError or BadBound names the argument that does not fit. Runs on all processors.
+Other threads of Python continue, and Ctrl-C ends the call. RuntimeError in a child of fork() whose parent
+has made parallel calls.)")
           .c_str());
 }
 
@@ -265,12 +272,12 @@ void add_visibility(py::module_& module) {
         return std::make_unique<Sights>(Sights{std::move(all), std::move(asked)});
       },
       R"(
-Which patches see each other. Of every pair: whether nothing stands between ('clear'), one solid hides all
-('occluded'), one lies behind the plane of the other ('facing_away'), or none of these ('undecided'). All
-are exact for the float32 given. Returns a Visibility, which takes 20 bytes for each pair block, 16 for each
-undecided pair, and 4 for each candidate.)",
+Which patches see each other. Each pair of patches gets one answer: nothing stands between them ('clear'),
+one solid hides each from the other ('occluded'), one lies behind the plane of the other ('facing_away'), or
+none of these ('undecided'). All answers are exact for the float32 given. Returns a Visibility, which takes
+20 bytes per pair block, 16 per undecided pair, and 4 per candidate.)",
       R"(
-candidates: whether undecided pairs come with candidates, the occluders that reach between.)",
+candidates: whether undecided pairs come with candidates, the occluders that reach between the patches.)",
       arg("candidates") = true);
   add_call<>(
       module, "count_visibility",
@@ -280,8 +287,8 @@ candidates: whether undecided pairs come with candidates, the occluders that rea
         }));
       },
       R"(
-How many pairs are 'undecided', 'clear', 'occluded' and 'facing_away': a dict of int, as the counts of
-visibility(). It keeps nothing of any pair.)",
+The number of pairs that are 'undecided', 'clear', 'occluded' and 'facing_away': a dict of int, like the
+counts of visibility(). It stores nothing per pair.)",
       "");
 }
 

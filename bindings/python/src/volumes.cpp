@@ -152,57 +152,59 @@ void add_volumes(py::class_<Shafts>& shafts) {
           },
           arg("a"), arg("b"), py::kw_only(), arg("pairs") = none, arg("planes_a") = none, arg("planes_b") = none,
           arg("contact") = "closed", arg("rounding") = none, R"(
-Shafts between boxes: all segments from a[i] to b[i], and what can stand between the two. Two single boxes
-make one shaft, of shape (). Otherwise the shape is (n,), or (m,) with pairs.
+Shafts between boxes. A shaft holds all segments from a[i] to b[i], and so everything that can stand between
+the two. Two single boxes make one shaft, of shape (). Otherwise the shape is (n,), or (m,) with pairs.
 
-a, b: boxes, float32: (n, 6) with lo x, y, z, then hi x, y, z; (n, 2, 3); a tuple (lo, hi) of (n, 3); a
-    tuple of six (n,); or one box, (6,) or (2, 3), which goes with each of the other.
+a, b: boxes, float32: (n, 6) with lo x, y, z, then hi x, y, z; (n, 2, 3); a tuple (lo, hi) of (n, 3); a tuple
+    of six (n,); or one box, (6,) or (2, 3), which is paired with every box of the other argument.
 pairs: integers (m, 2): shaft i is between a[pairs[i, 0]] and b[pairs[i, 1]].
-planes_a, planes_b: float32 (n, k, 4), k planes for each box, or (k, 4) for all: normal and offset. Bounds
-    with normal . p > offset are left out. At most 16 in all for a shaft. Planes are never rounded outwards:
-    no float32 half-space contains a float64 one, unless their normals are parallel.
+planes_a, planes_b: float32 (n, k, 4), k planes per box, or (k, 4) for all boxes: normal and offset. Bounds
+    with normal . p > offset at all their points p are left out. At most 16 planes per shaft in all. Planes
+    are never rounded outwards: no float32 half-space contains a float64 one, unless their normals are
+    parallel.
 contact: 'closed' keeps bounds that only touch a shaft, 'open' does not.
-rounding: 'outwards' takes boxes of float64, too; each shaft then contains the given one.
+rounding: 'outwards' also accepts boxes of float64; each shaft then contains the shaft of the given boxes.
 
-TypeError or ValueError names the argument that does not fit; BadBound, with the index, is for a box that is
-not finite or has lo > hi, IndexError for a pair that names nothing. Many shafts are formed on the calling
-thread; others go on.)")
+TypeError or ValueError names the argument that does not fit. BadBound, with the index, for a box that is not
+finite or has lo > hi; IndexError for an index in pairs that is out of range. Runs on the calling thread.
+Other threads of Python continue.)")
       .def_static("swept", &moving<false>, arg("bodies"), arg("displacements"), py::kw_only(), arg("planes") = none,
                   arg("contact") = "closed", arg("rounding") = none, R"(
-The volumes that bodies sweep over when they move by displacements: bodies[i] + t * displacements[i], t from
-0 to 1. Where a body ends need not be a float32, and is not rounded.
+The volumes that bodies sweep when they move by displacements: bodies[i] + t * displacements[i], t from
+0 to 1. The end position of a body need not be a float32, and is not rounded.
 
-bodies: boxes, as those of between(). displacements: float32 (n, 3), or (3,) for all bodies.
-planes: float32 (n, k, 4), k planes for each shaft, or (k, 4) for all. contact: as those of between().
-rounding: 'outwards' takes float64, too. Bodies grow by what rounding the displacements to nearest leaves
-    out, so each shaft contains the given one.
+bodies: boxes, as for between(). displacements: float32 (n, 3), or (3,) for all bodies.
+planes: float32 (n, k, 4), k planes per shaft, or (k, 4) for all shafts. contact: as for between().
+rounding: 'outwards' also accepts float64. Displacements are rounded to nearest, and bodies grow by the
+    rounding error, so each shaft contains the exact volume.
 
-Errors and threads: as those of between().)")
+Errors and threads: as for between().)")
       .def_static("swept_infinite", &moving<true>, arg("bodies"), arg("directions"), py::kw_only(),
                   arg("planes") = none, arg("contact") = "closed", arg("rounding") = none, R"(
-The volumes that bodies sweep over when they move in directions without end: bodies[i] + t * directions[i],
-t >= 0. What can cast the sun's shadow on receivers is in swept_infinite(receivers, towards_sun).
+The volumes that bodies sweep when they move in directions without end: bodies[i] + t * directions[i],
+t >= 0. swept_infinite(receivers, towards_sun) contains everything that can cast the sun's shadow on
+receivers.
 
-bodies: boxes, as those of between(). directions: float32 (n, 3) of any length but 0, or (3,) for all
-    bodies.
-planes, contact: as those of swept().
-rounding: 'outwards' takes bodies of float64, too, and contains them. Directions must be float32: a rounded
-    one leads elsewhere, far enough away.
+bodies: boxes, as for between(). directions: float32 (n, 3) of any length but 0, or (3,) for all bodies.
+planes, contact: as for swept().
+rounding: 'outwards' also accepts bodies of float64; each shaft then contains the given body. Directions must
+    be float32, since a rounded direction leads to other places at a great distance.
 
-Errors and threads: as those of between().)")
+Errors and threads: as for between().)")
       .def_static("shadow", &shadow, arg("lights"), arg("occluders"), arg("reach") = none, py::kw_only(),
                   arg("pairs") = none, arg("planes_lights") = none, arg("planes_occluders") = none,
                   arg("contact") = "closed", arg("rounding") = none, R"(
-The volumes that occluders can shadow from lights, or hide from viewpoints: all points behind occluders[i]
-as seen from points of lights[i], and the occluder itself.
+The volumes that occluders can shadow from lights, or hide from viewpoints: all points behind occluders[i] as
+seen from points of lights[i], and the occluder itself.
 
-lights, occluders: boxes, as those of between(), which must be apart. A light may be a point: points() makes
-    its box.
-reach: 1 or more: how many times as far from the light as the occluder the shadow goes. None: without end.
-pairs, planes_lights, planes_occluders, contact: as those of between().
-rounding: 'outwards' takes float64, too; each shaft then contains the given one.
+lights, occluders: boxes, as for between(); a light and its occluder must be apart. A light may be a point:
+    points() makes its box.
+reach: the shadow ends at this multiple of the distance of the occluder from the light; 1 or more. With None,
+    it has no end.
+pairs, planes_lights, planes_occluders, contact: as for between().
+rounding: 'outwards' also accepts float64; each shaft then contains the exact shadow.
 
-Errors and threads: as those of between(); ValueError for a light and an occluder that are not apart.)");
+Errors and threads: as for between(). ValueError for a light and an occluder that are not apart.)");
 }
 
 }  // namespace shaftcull::python

@@ -225,7 +225,7 @@ const asMovingTree = (Base) => class extends asTree(Base) {
   }
 
   get sahRatio() {
-    return describeTree(this).growth;
+    return describeTree(this).sah_ratio;
   }
 };
 

@@ -79,8 +79,8 @@ const asDynamic = (Base) => class extends asSnapshot(Base) {
   }
 
   get upkeep() {
-    const {growth, bound_count, blocks, waiting, sorted_last} = describeTree(this);
-    return {boundCount: bound_count, blocks, growth, waiting, sortedLast: sorted_last};
+    const {sah_ratio, bound_count, blocks, waiting, sorted_last} = describeTree(this);
+    return {boundCount: bound_count, blocks, sahRatio: sah_ratio, waiting, sortedLast: sorted_last};
   }
 
   /** use(scratch, pointer to ids, their number) */

@@ -299,9 +299,9 @@ describe('dynamic trees', () => {
     tree.commit();
     assert.deepEqual([tree.count(all()), before.count(all()), tree.length], [401, 500, 500]);
     assert.equal(tree.upkeep.boundCount, 401);
-    assert(tree.upkeep.blocks >= 1 && tree.upkeep.growth > 0);
+    assert(tree.upkeep.blocks >= 1 && tree.upkeep.sahRatio > 0);
     tree.rebuild();
-    assert.equal(tree.upkeep.growth, 1);
+    assert.equal(tree.upkeep.sahRatio, 1);
     assert.throws(() => tree.erase([ids[3]]), (error) => error instanceof ShaftcullError && /was erased/.test(error.message));
     assert.throws(() => tree.values([ids[3]]), /has no bound/);
     tree.free();
