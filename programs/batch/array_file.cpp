@@ -107,7 +107,7 @@ ArrayFile::ArrayFile(std::string name) : name_(std::move(name)), source_(std::ma
   const auto refuse = [&](const std::string& why) { throw InvalidArgument(fmt::format("{}: {}", name_, why)); };
   const auto check_shape = [&] {
     if (shape.size() != 2) {
-      refuse(fmt::format("its shape is ({}); an array of rows and columns is wanted", fmt::join(shape, ", ")));
+      refuse(fmt::format("its shape is ({}); an array of rows and columns is needed", fmt::join(shape, ", ")));
     }
     rows_ = shape[0];
     columns_ = static_cast<std::size_t>(shape[1]);
@@ -123,8 +123,8 @@ ArrayFile::ArrayFile(std::string name) : name_(std::move(name)), source_(std::ma
     const std::span<const std::byte> bytes(source_->file->data(), source_->file->size());
     if (!begins_as_npy(bytes)) {
       const bool hdf5 = bytes.size() >= 8 && std::memcmp(bytes.data(), "\x89HDF\r\n\x1a\n", 8) == 0;
-      refuse(hdf5 ? "is an HDF5 file; name the dataset in it, as FILE.h5:/dataset"
-                  : "is no .npy file of NumPy; a dataset of an HDF5 file is named FILE.h5:/dataset");
+      refuse(hdf5 ? "is an HDF5 file; name the dataset in it, as in FILE.h5:/dataset"
+                  : "is not a .npy file of NumPy; a dataset of an HDF5 file is named FILE.h5:/dataset");
     }
     const NpyHeader header = read_npy_header(bytes, name_);
     bool found = false;
@@ -133,16 +133,16 @@ ArrayFile::ArrayFile(std::string name) : name_(std::move(name)), source_(std::ma
       number_ = number;
       found = true;
     }
-    if (!found) refuse(fmt::format("holds numbers of NumPy's type {}; known are {}", header.type, known));
+    if (!found) refuse(fmt::format("holds numbers of NumPy's type {}; supported types are {}", header.type, known));
     shape = header.shape;
     check_shape();
     if (header.fortran_order && columns_ > 1) {
-      refuse("its columns are one behind the other (fortran_order); save numpy.ascontiguousarray() of it");
+      refuse("it is stored column by column (fortran_order); save numpy.ascontiguousarray() of it");
     }
     const std::uint64_t bytes_needed = rows_ * row_bytes();
     if (bytes.size() - header.data_at < bytes_needed) {
-      refuse(fmt::format("is cut short: its header says {}, {} bytes, and {} are there", this->shape(), bytes_needed,
-                         bytes.size() - header.data_at));
+      refuse(fmt::format("is cut short: its header states {}, {} bytes, but only {} are there", this->shape(),
+                         bytes_needed, bytes.size() - header.data_at));
     }
     source_->bytes = bytes.data() + header.data_at;
     if (header.data_at % bytes_of(number_) == 0) mapped_ = source_->bytes;
@@ -163,7 +163,7 @@ ArrayFile::ArrayFile(std::string name) : name_(std::move(name)), source_(std::ma
     number_ = number;
     found = true;
   }
-  if (!found) refuse(fmt::format("holds numbers of another type than {}", known));
+  if (!found) refuse(fmt::format("holds numbers of an unsupported type; supported types are {}", known));
   const Hdf5Handle space(H5Dget_space(source_->dataset), H5Sclose);
   const int axes = H5Sget_simple_extent_ndims(space);
   std::vector<hsize_t> extents(axes > 0 ? static_cast<std::size_t>(axes) : 0);

@@ -143,7 +143,7 @@ void BlockStore::give_up(std::uint64_t share, std::uint64_t block) const {
   const std::string damaged = path(share, block);
   std::error_code ignored;
   std::filesystem::remove(damaged, ignored);
-  throw std::runtime_error(fmt::format("{}: is damaged; the same command does it again", damaged));
+  throw std::runtime_error(fmt::format("{}: is damaged; run the same command again to recompute it", damaged));
 }
 
 std::optional<BlockStore::Sizes> BlockStore::sizes(std::uint64_t share, std::uint64_t block) const {

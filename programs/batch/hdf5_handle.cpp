@@ -29,7 +29,7 @@ std::string hdf5_reason() {
     const std::size_t begin = at + system_says.size();
     reason = reason.substr(begin, reason.find('\'', begin) - begin);
   }
-  return reason.empty() ? "HDF5 does not say why" : reason;
+  return reason.empty() ? "HDF5 gives no reason" : reason;
 }
 
 }  // namespace shaftcull::batch

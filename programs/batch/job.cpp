@@ -67,14 +67,14 @@ struct Input {
     const Answer answer = job.question.answer;
     const BoundKind kind = bounds.kind();
     if (kind == BoundKind::triangle && answer != Answer::count && answer != Answer::list) {
-      throw InvalidArgument(
-          fmt::format("--answer {}: {} holds triangles, which answer count and list", name_of(answer), job.bounds));
+      throw InvalidArgument(fmt::format("--answer {}: {} holds triangles, which support only count and list",
+                                        name_of(answer), job.bounds));
     }
     if (answer != Answer::occluded) return;
     if (kind != BoundKind::box || job.question.kind != ShaftKind::between) {
       throw InvalidArgument(
-          fmt::format("--answer occluded: only boxes block, and only shafts between two boxes; these are "
-                      "bounds of kind {} and shafts of kind {}",
+          fmt::format("--answer occluded: only boxes can block, and only shafts between two boxes can be blocked; "
+                      "these are bounds of kind {} and shafts of kind {}",
                       name_of(kind), name_of(job.question.kind)));
     }
   }
@@ -131,10 +131,8 @@ class Run {
   }
 
   void agree_on_input_sizes() {
-    agree_on(ranks_, input_->bounds.size(),
-             fmt::format("{} has another number of bounds there than for rank 0", job_.bounds));
-    agree_on(ranks_, input_->shafts.size(),
-             fmt::format("{} has another number of shafts there than for rank 0", job_.shafts));
+    agree_on(ranks_, input_->bounds.size(), fmt::format("{} has another number of bounds than on rank 0", job_.bounds));
+    agree_on(ranks_, input_->shafts.size(), fmt::format("{} has another number of shafts than on rank 0", job_.shafts));
   }
 
   void describe() {
@@ -203,7 +201,7 @@ class Run {
   }
 
   [[nodiscard]] std::string stopped_text() const {
-    return fmt::format("batch: interrupted; what is finished is in {}: the same command goes on with it",
+    return fmt::format("batch: interrupted; finished results are in {}; run the same command again to resume",
                        folder_.path());
   }
 
@@ -292,7 +290,8 @@ class Run {
   template <class Read>
   [[nodiscard]] Read whole(std::optional<Read> read, std::uint64_t share, std::uint64_t block) const {
     if (read) return *std::move(read);
-    throw std::runtime_error(fmt::format("{}: is damaged; the same command does it again", store_->path(share, block)));
+    throw std::runtime_error(
+        fmt::format("{}: is damaged; run the same command again to recompute it", store_->path(share, block)));
   }
 
   [[nodiscard]] BlockAnswer merged(std::uint64_t block) const {

@@ -60,7 +60,7 @@ void JobFolder::lock() {
   lock_ = open((path_ + "/lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (lock_ < 0) throw InvalidArgument(fmt::format("{}/lock: cannot be made: {}", path_, std::strerror(errno)));
   if (flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    throw std::runtime_error(fmt::format("{}: another run works on this job", path_));
+    throw std::runtime_error(fmt::format("{}: another run is working on this job", path_));
   }
 }
 
@@ -74,10 +74,10 @@ void JobFolder::begin(const JobDescription& job) {
     const JobDescription known = description_in(before.str());
     for (const auto& [name, value] : job) {
       if (const std::string was = value_in(known, name); was != value) {
-        throw InvalidArgument(fmt::format(
-            "{} holds an unfinished job with other input: {} was {}, and is {} now; give it what it was begun with, or "
-            "remove {} to begin anew",
-            path_, name, was, value, path_));
+        throw InvalidArgument(
+            fmt::format("{} holds an unfinished job with other input: {} was {}, and is {} now; give its original "
+                        "input, or remove {} to start over",
+                        path_, name, was, value, path_));
       }
     }
     resumed_ = true;

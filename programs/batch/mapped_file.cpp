@@ -27,7 +27,7 @@ MappedFile::MappedFile(const std::string& path) {
   if (fstat(file, &status) != 0) refuse(file);
   if (!S_ISREG(status.st_mode)) {
     close(file);
-    throw InvalidArgument(fmt::format("{}: cannot be read: it is no regular file", path));
+    throw InvalidArgument(fmt::format("{}: cannot be read: it is not a regular file", path));
   }
   size_ = static_cast<std::uint64_t>(status.st_size);
   if (size_ != 0) {

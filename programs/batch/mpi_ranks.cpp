@@ -25,7 +25,7 @@ class MpiRanks : public Ranks {
     MPI_Comm_size(MPI_COMM_WORLD, &size_);
     if (provided < MPI_THREAD_FUNNELED && size_ > 1) {
       // All ranks have the same MPI, so all find it so; the first one says it.
-      if (rank_ == 0) throw InvalidArgument("this MPI does not let a process have threads (MPI_THREAD_FUNNELED)");
+      if (rank_ == 0) throw InvalidArgument("this MPI does not support threads in a process (MPI_THREAD_FUNNELED)");
       throw OtherRankFailed(2);
     }
     MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, rank_, MPI_INFO_NULL, &here_);
@@ -160,7 +160,7 @@ std::unique_ptr<Ranks> launched_ranks() {
   if (started.processes > 1) {
     if (started.process != 0) throw OtherRankFailed(2);
     throw InvalidArgument(fmt::format(
-        "srun started {} processes that know nothing of each other; start them by srun --mpi=pmix, or by mpirun",
+        "srun started {} processes that do not know each other; start them with srun --mpi=pmix, or with mpirun",
         started.processes));
   }
   return one_rank();

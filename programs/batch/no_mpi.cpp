@@ -15,8 +15,8 @@ std::unique_ptr<Ranks> launched_ranks() {
   if (started.processes > 1) {
     if (started.process != 0) throw OtherRankFailed(2);
     throw InvalidArgument(
-        fmt::format("{} processes were started, but this program was built without MPI and runs in one; install MPI "
-                    "(Debian: libopenmpi-dev), then configure with SHAFTCULL_WITH_MPI=ON and build again",
+        fmt::format("{} processes were started, but this program was built without MPI and runs in a single process; "
+                    "install MPI (Debian: libopenmpi-dev), then configure with SHAFTCULL_WITH_MPI=ON and build again",
                     started.processes));
   }
   return one_rank();

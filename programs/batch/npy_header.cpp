@@ -34,7 +34,7 @@ bool begins_as_npy(std::span<const std::byte> file) noexcept {
 
 NpyHeader read_npy_header(std::span<const std::byte> file, const std::string& name) {
   const auto refuse = [&](std::string_view why) {
-    throw InvalidArgument(fmt::format("{}: no .npy file of NumPy can begin like this: {}", name, why));
+    throw InvalidArgument(fmt::format("{}: is not a valid .npy file of NumPy: {}", name, why));
   };
   if (!begins_as_npy(file)) refuse("its first bytes are not \\x93NUMPY");
   if (file.size() < 12) refuse("it ends within its header");
@@ -54,10 +54,11 @@ NpyHeader read_npy_header(std::span<const std::byte> file, const std::string& na
   // Records of several fields have a list there.
   header.type = type_end == std::string_view::npos ? "a record" : std::string(type.substr(1, type_end - 1));
   const std::string_view order = value_of(dictionary, "fortran_order");
-  if (!order.starts_with("True") && !order.starts_with("False")) refuse("it does not say fortran_order");
+  if (!order.starts_with("True") && !order.starts_with("False")) refuse("its header has no fortran_order");
   header.fortran_order = order.starts_with("True");
   std::string_view shape = value_of(dictionary, "shape");
-  if (shape.empty() || shape.front() != '(' || shape.find(')') == std::string_view::npos) refuse("it says no shape");
+  if (shape.empty() || shape.front() != '(' || shape.find(')') == std::string_view::npos)
+    refuse("its header has no shape");
   shape = shape.substr(1, shape.find(')') - 1);
   while (true) {
     shape.remove_prefix(std::min(shape.find_first_not_of(", "), shape.size()));

@@ -76,8 +76,9 @@ PlannedShares plan_shares(const BoundsSource& bounds, std::uint64_t memory, Rank
       // The sample is that of so many shares, whatever memory asked for them.
       std::vector<ShareKey> sample = sample_of(bounds, std::max(least_in_sample, shares * sampled_a_share));
       if (const std::uint64_t limit = std::min<std::uint64_t>(most_shares, sample.size()); shares > limit) {
-        throw InvalidArgument(fmt::format("--memory: {} bounds would be dealt into {} shares, more than {}; give more",
-                                          size, shares, limit));
+        throw InvalidArgument(
+            fmt::format("--memory: {} bounds would be divided into {} shares, more than {}; allow more memory", size,
+                        shares, limit));
       }
       plan.cuts = SharePlan(std::move(sample), static_cast<std::size_t>(shares));
       surroundings.on_threads([&] { plan.sizes = share_sizes(bounds, plan.cuts, first, count); });

@@ -79,7 +79,7 @@ std::uint64_t make_dataset(hid_t file, const std::string& path, const Dataset& d
   const hsize_t last = (size - 1) / chunk;
   if (begin == HADDR_UNDEF || place_of(last * chunk) != begin + last * chunk * H5Tget_size(dataset.type)) {
     throw std::runtime_error(
-        fmt::format("{}: this HDF5 does not keep the chunks of {} one behind the other", path, dataset.name));
+        fmt::format("{}: this HDF5 does not store the chunks of {} one after another", path, dataset.name));
   }
   return begin;
 }

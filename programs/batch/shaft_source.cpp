@@ -91,7 +91,7 @@ ShaftSource::ShaftSource(const std::string& shafts, const std::string& boxes, Sh
                                       name_of(kind), columns, two_boxes ? ", or of two positions of --boxes" : ""));
   }
   if (boxes.empty()) {
-    throw InvalidArgument(fmt::format("{}: holds positions of boxes; which? Add --boxes FILE", shafts));
+    throw InvalidArgument(fmt::format("{}: holds positions of boxes; add --boxes FILE", shafts));
   }
   boxes_ = std::make_unique<ArrayFile>(boxes);
   if (!is_of_floats(*boxes_) || boxes_->columns() != 6) {
@@ -144,8 +144,8 @@ const std::byte* ShaftSource::read(std::uint64_t first, std::uint64_t count, std
 
 Box ShaftSource::indexed_box(std::uint64_t row, std::uint64_t position) const {
   if (position >= boxes_->rows()) {
-    throw InvalidArgument(fmt::format("{}: row {}: {} is no position of the {} boxes of {}", rows_->name(), row,
-                                      position, boxes_->rows(), boxes_->name()));
+    throw InvalidArgument(fmt::format("{}: row {}: position {} is out of range for the {} boxes of {}", rows_->name(),
+                                      row, position, boxes_->rows(), boxes_->name()));
   }
   const std::array<float, 12> floats = floats_of(box_bytes_ + position * 6 * sizeof(float), 6);
   return box_of(std::span(floats).first(6));

@@ -51,26 +51,29 @@ void add_batch(CLI::App& program) {
   batch::Job& job = options->job;
   CLI::App& batch = *program.add_subcommand(
       "batch",
-      "Tell of a whole file of shafts what each keeps of a file of bounds, on one machine or, with MPI, on many");
+      "List the bounds of one file that each shaft of another file keeps, on one machine or, with MPI, on many");
   batch.add_option("--bounds", job.bounds, "Boxes (N x 6), spheres (N x 4) or triangles (N x 9)")->type_name("ARRAY");
-  batch.add_option("--shafts", job.shafts, "Two boxes a row (N x 12), or positions of two of --boxes (N x 2)")
+  batch.add_option("--shafts", job.shafts, "Two boxes per row (N x 12), or positions of two boxes in --boxes (N x 2)")
       ->type_name("ARRAY");
-  batch.add_option("--boxes", job.boxes, "Boxes (N x 6) that --shafts has positions of")->type_name("ARRAY");
+  batch.add_option("--boxes", job.boxes, "Boxes (N x 6) to which the positions in --shafts refer")->type_name("ARRAY");
   add_choice<batch::ShaftKind>(
       batch, "--kinds", job.question.kind,
       by_name({batch::ShaftKind::between, batch::ShaftKind::shadow, batch::ShaftKind::swept, batch::ShaftKind::sun}),
-      "What rows of --shafts are: between two boxes; the shadow of a light and an occluder; a box "
-      "swept by a vector, or towards it without end (N x 9) (default: between)")
+      "Kind of shaft in all rows of --shafts (default: between)\n"
+      "between: two boxes; shadow: a light and an occluder; swept: a box and its displacement (N x 9);\n"
+      "sun: a box and a direction in which it is swept without end (N x 9)")
       ->type_name("KIND");
   add_choice<batch::Answer>(
       batch, "--answer", job.question.answer,
       by_name({batch::Answer::count, batch::Answer::list, batch::Answer::classify, batch::Answer::first,
                batch::Answer::occluded}),
-      "How many bounds each shaft keeps; which; which overlap it and which are inside; which it "
-      "reaches first, and when; whether one of the bounds, solid boxes, blocks it (default: count)")
+      "Answers for each shaft (default: count)\n"
+      "count: how many bounds it keeps; list: which bounds it keeps; classify: which overlap it, and which are "
+      "inside;\n"
+      "first: which it reaches first, and when; occluded: whether one of the bounds, as a solid box, blocks it")
       ->type_name("ANSWER");
   add_choice<Contact>(batch, "--contact", job.question.contact, {{"closed", Contact::closed}, {"open", Contact::open}},
-                      "Whether bounds are kept that only touch a shaft, closed, or not, open (default: closed)")
+                      "Bounds that only touch a shaft: closed keeps them, open does not (default: closed)")
       ->type_name("CONTACT");
   batch
       .add_option("--origin", options->origin,
@@ -78,30 +81,31 @@ void add_batch(CLI::App& program) {
       ->type_name("X,Y,Z")
       ->delimiter(',')
       ->expected(3);
-  batch.add_option("--out", job.out, "The HDF5 file to write; FILE.parts/ holds what is finished until then")
+  batch.add_option("--out", job.out, "The HDF5 file to write; FILE.parts/ holds partial results until it is complete")
       ->type_name("FILE");
   add_number(batch, "--memory", options->megabytes, 1, std::numeric_limits<std::uint64_t>::max() >> 20,
-             "MB that bounds may take in a rank; if they take more, they are dealt into shares (default: no limit)")
+             "MB that bounds may take in each rank; bounds that need more are divided into shares (default: no limit)")
       ->type_name("MB");
   add_number(batch, "--block", job.block, 1, 1'000'000'000,
-             "Shafts that are dealt and stored at once (default: 65536, of lists 16384)")
+             "Shafts per block, the unit that ranks take and store (default: 65536, for lists 16384)")
       ->type_name("N");
   add_choice<batch::ProgressForm>(
       batch, "--progress", job.progress,
       {{"none", batch::ProgressForm::none}, {"text", batch::ProgressForm::text}, {"json", batch::ProgressForm::json}},
-      "A line a second on standard error: none, text or json (default: text)")
+      "One line per second on standard error: none, text or json (default: text)")
       ->type_name("FORM");
-  batch.add_option("--log", job.log, "Write when each rank did what to FILE.RANK, as CSV")->type_name("FILE");
+  batch.add_option("--log", job.log, "Write the times of all steps of each rank to FILE.RANK, as CSV")
+      ->type_name("FILE");
   add_number(batch, "--threads", options->threads, 0, most_threads,
-             "Threads of each rank, 0 for all it may use; answers do not depend on it (default: 0)")
+             "Threads of each rank, 0 for all that it may use; answers do not depend on it (default: 0)")
       ->type_name("N");
   options->isa.add_option(batch);
   batch.footer(
-      "An ARRAY is FILE.npy, of NumPy, or FILE.h5:/dataset, of HDF5: float32, positions int32, uint32, int64 or "
-      "uint64.\n"
-      "Boxes and spheres of float64 become such of float32 that contain them, and vertices the nearest floats.\n"
-      "mpirun or srun start it on many machines, one rank a machine or socket; the file is the same. A run that was\n"
-      "ended in any way is started again with the same command, and goes on.");
+      "An ARRAY is FILE.npy, of NumPy, or FILE.h5:/dataset, of HDF5. Numbers are float32; positions are int32,\n"
+      "uint32, int64 or uint64. Boxes and spheres of float64 are rounded to boxes and spheres of float32 that\n"
+      "contain them (bounds of --answer occluded, to boxes within them), and vertices to the nearest floats.\n"
+      "To run on many machines, start the program with mpirun or srun, with one rank per machine or socket.\n"
+      "The file is the same. However a run was ended, the same command resumes it.");
   batch.callback([options] {
     batch::Job& wanted = options->job;
     wanted.memory = options->megabytes << 20;
@@ -112,9 +116,9 @@ void add_batch(CLI::App& program) {
     }
     if (!origin.empty()) wanted.origin = Origin({origin[0], origin[1], origin[2]});
     run_batch_job(wanted, options->threads, [&] {
-      if (wanted.bounds.empty()) throw InvalidArgument("batch: which bounds? Add --bounds ARRAY");
-      if (wanted.shafts.empty()) throw InvalidArgument("batch: which shafts? Add --shafts ARRAY");
-      if (wanted.out.empty()) throw InvalidArgument("batch: where to? Add --out FILE.h5");
+      if (wanted.bounds.empty()) throw InvalidArgument("batch: no bounds are given; add --bounds ARRAY");
+      if (wanted.shafts.empty()) throw InvalidArgument("batch: no shafts are given; add --shafts ARRAY");
+      if (wanted.out.empty()) throw InvalidArgument("batch: no output file is given; add --out FILE.h5");
       options->isa.select();
     });
   });

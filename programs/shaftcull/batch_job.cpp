@@ -23,7 +23,7 @@ std::string summary(const batch::Job& job, const batch::JobReport& report, const
   text += fmt::format("{} block{} of shafts, {} share{} of bounds, {} rank{}, {:.1f} s", grouped(report.blocks),
                       report.blocks == 1 ? "" : "s", grouped(report.shares), report.shares == 1 ? "" : "s",
                       ranks.size(), ranks.size() == 1 ? "" : "s", report.seconds);
-  if (report.blocks_before != 0) text += fmt::format("; {} were there from before", grouped(report.blocks_before));
+  if (report.blocks_before != 0) text += fmt::format("; blocks from an earlier run: {}", grouped(report.blocks_before));
   return text + '\n';
 }
 

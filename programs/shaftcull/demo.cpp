@@ -232,7 +232,7 @@ void show(MovingScene& scene, const DemoOptions& options, Table& table, Console&
   if (console.interrupt.signal() != 0) return;
   scene.use_second_tree();
   console.progress.milestone(
-      fmt::format("{}: and in two trees, one asked while the other is updated for the next frame", scene.name()));
+      fmt::format("{}: and in two trees, one queried while the other is updated for the next frame", scene.name()));
   OverlappedFrameLoop overlapped(scene, options.shafts);
   show_trees(overlapped, "2 trees");
 }
@@ -240,14 +240,16 @@ void show(MovingScene& scene, const DemoOptions& options, Table& table, Console&
 void print_table(const Table& table) {
   fmt::print("{}", table.text());
   fmt::print(
-      "\nms/frame and its parts, move (motion, bounds updated in place) and cull (shafts formed, bounds tested): "
-      "medians.\n"
-      "tests/s: bounds x shafts per second of cull, answered if not tested. kept: what the shafts do not cull.\n"
-      "bounds in streams are all tested; in a tree, only those near the shafts (and moving refits its nodes).\n"
-      "Of 2 trees one is asked while the other moves on to the next frame: both parts of a frame run at the same time, "
-      "and answers come one frame later.\n"
-      "In the crowd, 1 % of the bodies go, 1 % come, and 1 % move in each frame: its tree is a dynamic one, and the "
-      "second is a snapshot of it.\n");
+      "\nms/frame and its parts move and cull are medians. move: bodies move, and their bounds are\n"
+      "updated in place. cull: shafts are formed, and bounds are tested.\n"
+      "tests/s: bounds x shafts per second of cull; bounds that are answered without a test\n"
+      "count, too. kept: bounds that the shafts do not cull.\n"
+      "bounds in streams: every bound is tested. In a tree: only bounds near the shafts are\n"
+      "tested, and moving refits the nodes.\n"
+      "In 2 trees: one is queried while the other is updated for the next frame. The two parts of\n"
+      "a frame run at the same time, and answers come one frame later.\n"
+      "In the crowd, 1 % of the bodies disappear, 1 % appear, and 1 % move in each frame. Its\n"
+      "tree is a dynamic tree, and the second tree is a snapshot of it.\n");
 }
 
 /// Tells which patches of some rooms see each other.
@@ -262,10 +264,10 @@ void show_rooms(const DemoOptions& options, const Workers& workers, Console& con
   const SeesBlocks patches(scene);
   SeesReport report{};
   workers.run([&] { report = run_sees(scene, patches, {}, source, "", {}, console.progress, console.interrupt); });
-  fmt::print("\nWhat sees what in {}\n", format_report(report, ReportFormat::text));
+  fmt::print("\nVisible pairs of patches in {}\n", format_report(report, ReportFormat::text));
   fmt::print(
-      "Walls and furniture are solid. What is clear, occluded or facing away is proven; rays are needed for undecided "
-      "pairs only.\nFor a mesh of yours: shaftcull sees FILE.\n");
+      "Walls and furniture are solid. Clear, occluded and facing-away pairs are proven; only the others need rays.\n"
+      "For your own mesh: shaftcull sees FILE\n");
 }
 
 void run(const DemoOptions& options) {
@@ -290,7 +292,7 @@ void run(const DemoOptions& options) {
     print_table(table);
   }
   if (const int signal = console.interrupt.signal(); signal != 0) {
-    throw Interrupted(signal, "demo: interrupted; the table holds the frames until then");
+    throw Interrupted(signal, "demo: interrupted; the table has the frames so far");
   }
   if (options.scene == "all" || options.scene == "rooms") show_rooms(options, workers, console);
 }
@@ -300,28 +302,28 @@ void run(const DemoOptions& options) {
 void add_demo(CLI::App& program) {
   const auto options = std::make_shared<DemoOptions>();
   CLI::App& demo = *program.add_subcommand(
-      "demo", "Move millions of bounds and cull them, frame by frame; and tell what sees what in some rooms");
+      "demo",
+      "Move millions of bounds and cull them, frame by frame; then count visible pairs of patches in some rooms");
   demo.add_option("--scene", options->scene, "sphereflake, city, crowd, rooms, or all (default: all)")
       ->check(CLI::IsMember({"sphereflake", "city", "crowd", "rooms", "all"}))
       ->type_name("SCENE");
   add_number(demo, "--bounds", options->bounds, 1, 100'000'000,
-             "Bounds in a scene (default: 5,380,840 spheres, or 1,000,000 boxes); a room for each thousand, 9 at most")
+             "Bounds per scene (default: 5,380,840 spheres, or 1,000,000 boxes); one room per thousand, at most 9")
       ->type_name("N");
-  add_number(demo, "--shafts", options->shafts, 1, 100'000, "Shafts (default: 64)")->type_name("N");
+  add_number(demo, "--shafts", options->shafts, 1, 100'000, "Number of shafts (default: 64)")->type_name("N");
   CLI::Option* frames = add_number(demo, "--frames", options->frames, 1, 1'000'000,
-                                   "Frames of each scene (default: 100, or what --seconds allows)")
+                                   "Frames per scene (default: 100, or as many as --seconds allows)")
                             ->type_name("N");
   CLI::Option* seconds =
       add_number(demo, "--seconds", options->seconds, 0.001, 86'400,
-                 "Begins no frame of a scene later than this (default: 6; none if --frames is given)")
+                 "Start no frame of a scene later than this (default: 6; no limit if --frames is given)")
           ->type_name("S");
-  add_number(demo, "--threads", options->threads, 0, most_threads, "Threads (default: 0, all that the machine has)")
+  add_number(demo, "--threads", options->threads, 0, most_threads, "Number of threads (default: 0, all of the machine)")
       ->type_name("N");
   options->isa.add_option(demo);
   demo.footer(
-      "Ctrl-C (SIGINT, or SIGTERM) ends it after the frame that runs, with the table of the frames until then; a "
-      "second\n"
-      "one ends it at once.");
+      "Ctrl-C (SIGINT) or SIGTERM ends the run after the current frame, with the table of the\n"
+      "frames so far. A second signal ends it at once.");
   demo.callback([options, frames, seconds] {
     if (frames->count() > 0 && seconds->count() == 0) options->seconds = 0;
     run(*options);

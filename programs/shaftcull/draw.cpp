@@ -277,7 +277,7 @@ std::string heading_of(const ShaftDrawing& drawing) {
     case ShaftKind::hull:
       what = fmt::format("Convex hull of {} points", choice.points().size());
       if (!choice.directions().empty()) {
-        what += fmt::format(", and all that lies from it towards {}", to_text(choice.directions().front()));
+        what += fmt::format(", extended without end towards {}", to_text(choice.directions().front()));
       }
       break;
   }
@@ -314,43 +314,41 @@ void run(const DrawOptions& options) {
 void add_draw(CLI::App& program) {
   const auto options = std::make_shared<DrawOptions>();
   CLI::App& draw = *program.add_subcommand("draw", "Draw slices through the middle of a shaft, or a picture of it");
-  CLI::Option* from =
-      draw.add_option("--from", options->from, "Box A: lo x,lo y,lo z,hi x,hi y,hi z; the body, or the light")
-          ->type_name("BOX");
-  CLI::Option* to = draw.add_option("--to", options->to, "Box B, likewise; the occluder")->type_name("BOX");
+  CLI::Option* from = draw.add_option("--from", options->from,
+                                      "Box A, which is also the body or the light: lo x,lo y,lo z,hi x,hi y,hi z")
+                          ->type_name("BOX");
+  CLI::Option* to = draw.add_option("--to", options->to, "Box B, which is also the occluder")->type_name("BOX");
   options->choice.add_options(draw, to);
   CLI::Option* solid = draw.add_option("--solid", options->solids,
-                                       "Boxes to show that are solid, and whether they block: hide all of A from B")
+                                       "Solid boxes to show, and whether they block, that is, hide all of A from B")
                            ->type_name("BOX")
                            ->excludes("--swept")
                            ->excludes("--shadow");
   CLI::Option* times =
-      draw.add_flag("--times", options->times, "Say when the moving box reaches each bound: 0 at A, 1 at B");
+      draw.add_flag("--times", options->times, "Show when the moving box reaches each bound: 0 at A, 1 at B");
   CLI::Option* triangle =
       draw.add_option("--triangle", options->corners, "Triangles to show, three corners each, with their answers")
           ->type_name("X,Y,Z X,Y,Z X,Y,Z");
   options->choice.add_hull_options(draw, std::array{from, to, solid, times, triangle});
   draw.add_option("--bound", options->bounds, "Boxes to show, with their answers")->type_name("BOX");
-  CLI::Option* size = add_number(draw, "--size", options->columns, 12, 400,
-                                 "Columns that the longest side of the picture takes (default: 48)")
-                          ->type_name("COLS");
+  CLI::Option* size =
+      add_number(draw, "--size", options->columns, 12, 400, "Columns for the longest side of the picture (default: 48)")
+          ->type_name("COLS");
   CLI::Option* svg =
       draw.add_flag("--svg", options->svg, "Write an SVG file to standard output instead of slices")->excludes(size);
-  draw.add_option("--view", options->view, "With --svg: which two axes it shows (default: xy)")
+  draw.add_option("--view", options->view, "With --svg: the two axes to show (default: xy)")
       ->check(CLI::IsMember({"xy", "xz", "yz"}))
       ->type_name("AXES")
       ->needs(svg);
   options->isa.add_option(draw);
   draw.footer(
-      "A shaft lies between two boxes, unless an option says otherwise: what a body sweeps over (--swept), what an\n"
-      "occluder can shadow from a light (--shadow), or a convex hull (--hull). What has no end is cut off at the edge "
-      "of\n"
-      "the picture. Times are shares of a displacement, or multiples of it without end; of a shadow 0 at the "
-      "occluder,\n"
-      "and 1 where things are twice as far from the light.\n"
-      "Triangles are compared exactly. They have no times, and convex hulls do not take them: those know an exact "
-      "answer\n"
-      "of boxes only.");
+      "By default, the shaft lies between two boxes. With --swept, it is the volume that a body\n"
+      "sweeps over; with --shadow, the volume that an occluder can shadow from a light; with\n"
+      "--hull, a convex hull. Shafts without end are cut off at the edge of the picture.\n"
+      "Times are shares of the displacement, or multiples of it with --without-end. For a shadow,\n"
+      "the time is 0 at the occluder, and 1 at twice its distance from the light.\n"
+      "Triangles are tested exactly. They have no times, and do not go together with --hull:\n"
+      "convex hulls have exact answers for boxes only.");
   draw.callback([options] { run(*options); });
 }
 

@@ -95,17 +95,17 @@ void run(const FactorsOptions& options) {
 void add_factors(CLI::App& program) {
   const auto options = std::make_shared<FactorsOptions>();
   CLI::App& factors = *program.add_subcommand(
-      "factors", "Compute view factors between all facets of a mesh file, and how much sky each of them sees");
-  options->scene.add(factors, "Facets are cut until no edge is longer (default: facets are whole, as in the file)");
+      "factors", "Compute view factors between all facets of a mesh file, and how much sky each facet sees");
+  options->scene.add(factors, "Cut facets until no edge is longer (default: facets stay whole, as in the file)");
   add_number(factors, "--rays", options->ask.rays, 1, 65'536,
-             "Most rays of a pair that is seen in part (default: 4096)")
+             "Maximum number of rays per partly visible pair (default: 4096)")
       ->type_name("S");
   add_number(factors, "--error", options->ask.error, 0, 1,
-             "Fewer rays where the standard error of a factor is at most this (default: 0.00002)")
+             "Cast fewer rays if the standard error of the factor is at most this (default: 0.00002)")
       ->type_name("E");
-  CLI::Option* least =
-      add_number(factors, "--min", options->ask.least, 0, 1, "Leave out smaller factors, and tell what they add up to")
-          ->type_name("F");
+  CLI::Option* least = add_number(factors, "--min", options->ask.least, 0, 1,
+                                  "Leave out smaller factors, and report what they add up to")
+                           ->type_name("F");
   factors.add_flag("--close", options->ask.close_rows,
                    "Scale factors so that they sum to 1 for each patch, as in a closed room");
   add_number(factors, "--seed", options->scene.seed, 0, largest_seed, "Seed of rays and --rooms (default: 1)")
@@ -116,30 +116,33 @@ void add_factors(CLI::App& program) {
       ->type_name("FILE");
   CLI::Option* svg = factors
                          .add_option("--svg", options->svg,
-                                     "Draw patches from above, coloured by the sky they see; - is standard output")
+                                     "Draw patches from above, coloured by the sky that they see; - is standard output")
                          ->type_name("FILE");
-  factors.add_option("--ply", options->ply, "Write patches as a mesh, coloured by the sky they see: face i is patch i")
+  factors
+      .add_option("--ply", options->ply,
+                  "Write patches as a mesh, coloured by the sky that they see; face i is patch i")
       ->type_name("FILE");
-  factors.add_flag("--objects", options->objects, "Report also the factors between each two objects")
+  factors.add_flag("--objects", options->objects, "Also report the factors between each pair of objects")
       ->excludes(least);  // small ones add up
   factors.add_option("--up", options->up, "With --svg: the axis that points up in the scene (default: z)")
       ->check(CLI::IsMember({"x", "y", "z"}))
       ->type_name("AXIS")
       ->needs(svg);
-  factors.add_option("--format", options->format, "Output: text, json or csv, of each patch (default: text)")
+  factors.add_option("--format", options->format, "Output: text, json, or csv with a row per patch (default: text)")
       ->check(CLI::IsMember({"text", "json", "csv"}))
       ->type_name("FORMAT");
   add_number(factors, "--memory", options->megabytes, 1, 1'000'000,
-             "MB that answers under way may take, besides the factors (default: 256)")
+             "Limit of the memory of pending answers, without the factors, in MB (default: 256)")
       ->type_name("MB");
   add_number(factors, "--threads", options->threads, 0, most_threads,
-             "Threads, 0 for all there are; factors do not depend on it (default: 0)")
+             "Number of threads, 0 for all; factors do not depend on it (default: 0)")
       ->type_name("N");
   options->isa.add_option(factors);
   factors.footer(
-      "The view factor from one facet to another is the share of its radiation that arrives there. Facets radiate\n"
-      "diffusely, on the side from which their corners run counterclockwise. Pairs that see all of each other are\n"
-      "integrated; of others, rays tell the visible part. Ctrl-C (SIGINT, or SIGTERM) ends it early, without a file.");
+      "The view factor from one facet to another is the share of the radiation of the first that arrives at the\n"
+      "second. Facets radiate diffusely, on the side from which their corners are seen in counterclockwise\n"
+      "order. The factors of fully visible pairs are integrated. For other pairs, rays measure the visible part.\n"
+      "Ctrl-C (SIGINT) or SIGTERM ends the run early, without a file.");
   factors.callback([options] {
     options->scene.require_scene("factors");
     run(*options);

@@ -68,7 +68,7 @@ void write_csv(const FactorsResult& result, const std::string& path) {
 
 void require_factors_name(const std::string& path) {
   if (path.ends_with(".npz") || path.ends_with(".csv") || is_stream(path)) return;
-  throw InvalidArgument(fmt::format("--out {}: what kind of file? Give a name that ends in .npz or .csv", path));
+  throw InvalidArgument(fmt::format("--out {}: unknown kind of file; give a name that ends in .npz or .csv", path));
 }
 
 void write_factors(const FactorsResult& result, const std::string& path) {

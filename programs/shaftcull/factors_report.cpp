@@ -65,18 +65,18 @@ std::string text_of(const FactorsResult& result) {
   std::string text = result.described();
   text += fmt::format("pairs: {} clear, {} by rays, {} occluded, {} facing away\n", grouped(counts.clear),
                       grouped(counts.undecided), grouped(counts.occluded), grouped(counts.facing_away));
-  text += fmt::format("{} above 0; the largest estimated error of a row's sum is {:.1e}\n",
+  text += fmt::format("{} above 0; the largest estimated error of a row sum is {:.1e}\n",
                       count(result.factors.factor.size(), "factor"), of.largest_error);
   if (of.largest_sum > 0) {
-    text += fmt::format("the largest sum is {:.6f}, of patch {}, of {}\n", of.largest_sum, of.of_largest,
+    text += fmt::format("the largest row sum is {:.6f}, for patch {} of object {}\n", of.largest_sum, of.of_largest,
                         printable(result.scene.mesh.names[result.object_of(of.of_largest)]));
   }
-  text += fmt::format("sky: {:.2f} % of the radiation of all patches meets none\n", 100 * of.mean_sky);
+  text += fmt::format("sky: {:.2f} % of the radiation of all patches meets no patch\n", 100 * of.mean_sky);
   if (result.scene.tolerance > 0) {
-    text += fmt::format("patches that are off a plane by {} at most lie in it, and see nothing of it\n",
+    text += fmt::format("patches within {} of a plane count as lying in it, and see nothing of it\n",
                         result.scene.tolerance);
   }
-  if (of.left_out > 0) text += fmt::format("left out, as they are small: at most {:.6f} of a row\n", of.left_out);
+  if (of.left_out > 0) text += fmt::format("left out because they are small: at most {:.6f} per row\n", of.left_out);
   if (result.shows_objects) {
     Table table({"from", "to", "factor"});
     for_each_pair(result, [&](const std::string& a, const std::string& b, double factor) {
@@ -84,7 +84,7 @@ std::string text_of(const FactorsResult& result) {
     });
     text += '\n' + table.text();
   }
-  return text + fmt::format("\n{:.2f} s, {}, at most {} a pair, {} MB of memory\n", result.seconds,
+  return text + fmt::format("\n{:.2f} s, {}, at most {} per pair, {} MB of memory\n", result.seconds,
                             count(static_cast<std::size_t>(result.threads), "thread"), count(result.most_rays, "ray"),
                             grouped((result.memory + 999'999) / 1'000'000));
 }

@@ -45,8 +45,8 @@ std::vector<const Family*> families_of(const HashOptions& options) {
   for (const std::string& name : options.families) {
     const auto at = std::ranges::find(names, name);
     if (at == names.end()) {
-      throw InvalidArgument(
-          fmt::format("--family {}: there is none of that name, but {}", name, closest_names(name, names)));
+      throw InvalidArgument(fmt::format("--family {}: there is no family of that name; the families are {}", name,
+                                        closest_names(name, names)));
     }
     chosen.push_back(&hashes::families()[static_cast<std::size_t>(at - names.begin())]);
   }
@@ -81,7 +81,7 @@ class Hashing {
 
  private:
   [[nodiscard]] const char* size_text() const noexcept {
-    return options_.quick ? "some 10,000 cases of each or more" : "a million cases of each";
+    return options_.quick ? "about 10,000 cases of each or more" : "a million cases of each";
   }
   [[nodiscard]] std::string isa_names() const {
     std::string names;
@@ -97,7 +97,7 @@ class Hashing {
     if (found.empty()) table_.add_row({family.name, on_record, "yes"});
     for (const auto& [isa, way, hash] : found) {
       table_.add_row({family.name, fmt::format("{:016x}", hash),
-                      fmt::format("NO, {} is: {}, {}", on_record, name(isa), name(way))});
+                      fmt::format("NO, the record has {}: {}, {}", on_record, name(isa), name(way))});
     }
     if (!found.empty()) ++wrong_;
     ++done_;
@@ -120,7 +120,7 @@ void run(const HashOptions& options) {
   if (hashing.wrong() != 0) {
     std::fflush(stdout);
     throw std::runtime_error(
-        fmt::format("{} of {} families have other answers here than on record", hashing.wrong(), hashing.families()));
+        fmt::format("{} of {} families have other hashes here than on record", hashing.wrong(), hashing.families()));
   }
   if (const int signal = hashing.interrupted(); signal != 0) {
     throw Interrupted(signal,
@@ -132,19 +132,20 @@ void run(const HashOptions& options) {
 
 void add_hash(CLI::App& program) {
   const auto options = std::make_shared<HashOptions>();
-  CLI::App& hash = *program.add_subcommand("hash", "Compare hashes of answers with those of all other machines");
-  hash.add_flag("--quick", options->quick, "Some 10,000 cases a family, not a million");
-  hash.add_option("--family", options->families, "Families of answers (default: all)")->type_name("NAME");
-  hash.add_option("--isa", options->isas, "Instruction sets to try (default: that of SHAFTCULL_ISA, or all)")
+  CLI::App& hash =
+      *program.add_subcommand("hash", "Compare hashes of answers with the record, which is the same for all machines");
+  hash.add_flag("--quick", options->quick, "About 10,000 cases per family instead of a million");
+  hash.add_option("--family", options->families, "Families of answers to compare (default: all)")->type_name("NAME");
+  hash.add_option("--isa", options->isas, "Instruction sets to test (default: that of SHAFTCULL_ISA, or all)")
       ->type_name("NAME");
   add_number(hash, "--threads", options->threads, 0, most_threads,
-             "Threads, 0 for all there are; hashes do not depend on it (default: 0)")
+             "Number of threads, 0 for all; hashes do not depend on it (default: 0)")
       ->type_name("N");
   hash.footer(
-      "A family is a kind of question, asked about cases that are made of integers and so are the same everywhere: on\n"
-      "each instruction set, in slab and plane form, with one shaft and with many. All must give one hash, which is "
-      "on\n"
-      "record (docs/hashes.md). Exit code 1 if any differs: then an answer is wrong, here or there; please tell us.");
+      "A family is one kind of question. Its cases are made from integers, so they are the same\n"
+      "everywhere. The program tests them on each instruction set, in slab and plane form, with one\n"
+      "shaft and with many. All must give the same hash, which is on record (docs/hashes.md). Exit code\n"
+      "1 if a hash differs: then an answer is wrong, on this machine or on record. Please report it.");
   hash.callback([options] { run(*options); });
 }
 

@@ -98,7 +98,7 @@ Message read_scene(const std::string& path, const MeshReading& reading) {
   } catch (const InvalidArgument& error) {
     message = rejection(error.what());
   } catch (const std::exception& error) {
-    message = rejection(fmt::format("{}: assimp's reader failed on it: {}", path, error.what()));
+    message = rejection(fmt::format("{}: the reader of assimp failed on it: {}", path, error.what()));
   }
   return message;
 }
@@ -186,8 +186,9 @@ MeshScene load_mesh_isolated(const std::string& path, const MeshReading& reading
     throw InvalidArgument(message.take_sequence<std::string>());
   } catch (const std::length_error&) {
     const std::string signal = WIFSIGNALED(status) ? fmt::format(" ({})", strsignal(WTERMSIG(status))) : "";
-    throw InvalidArgument(fmt::format("{}: assimp's reader {} it{}: the file is broken, or assimp has a fault", path,
-                                      ran_out_of_time(status) ? "ran out of time or memory on" : "crashed on", signal));
+    throw InvalidArgument(fmt::format("{}: the reader of assimp {} it{}: the file is broken, or assimp has a fault",
+                                      path, ran_out_of_time(status) ? "ran out of time or memory on" : "crashed on",
+                                      signal));
   }
 }
 

@@ -61,18 +61,19 @@ std::string missing_subcommand(const CLI::App& program) {
     names.push_back(subcommand->get_name());
   }
   const std::vector<std::string> unknown = program.remaining();
-  if (unknown.empty()) return fmt::format("do what? Subcommands are {}", closest_names("", names));
+  if (unknown.empty()) return fmt::format("no subcommand is given; the subcommands are {}", closest_names("", names));
   const std::string& first = unknown.front();
   if (first.starts_with('-')) {
-    return fmt::format("{}: no option of the program itself; options stand behind the subcommand that they belong to",
+    return fmt::format("{}: the program itself has no such option; options go after the subcommand that they belong to",
                        first);
   }
   std::error_code ignored;
   if (std::filesystem::is_regular_file(first, ignored)) {
-    return fmt::format("{} is a file, not a subcommand; for what lies between parts of a mesh: shaftcull cull {}",
-                       first, first);
+    return fmt::format(
+        "{} is a file, not a subcommand; to list the objects of a mesh that lie between two others: shaftcull cull {}",
+        first, first);
   }
-  return fmt::format("there is no subcommand '{}'; there are {}", first, closest_names(first, names));
+  return fmt::format("there is no subcommand '{}'; the subcommands are {}", first, closest_names(first, names));
 }
 
 /// Reports options that cannot be used. Of processes that were launched together, with the same ones, the first does
@@ -83,15 +84,15 @@ int complain_of_options(const std::vector<std::string>& words, const std::string
 }
 
 int run(const std::vector<std::string>& words) {
-  CLI::App program{"Shaft culling: which of millions of bounds may lie between two boxes?", "shaftcull"};
-  program.set_version_flag("--version", version, "Tell the version, and which instruction set runs");
+  CLI::App program{"Shaft culling: finds the bounds, among millions, that may lie between two boxes", "shaftcull"};
+  program.set_version_flag("--version", version, "Print the version, and the instruction set in use");
   program.require_subcommand(1);
-  program.footer(
-      "SHAFTCULL_ISA in the environment forces an instruction set; this machine has " + available_names() +
-      ".\n"
-      "Exit code: 0; 2 if an option, the environment or a file cannot be used; 128 + the signal's number if SIGINT or\n"
-      "SIGTERM ended demo, verify or hash, which then show what they have, sees, factors or batch; 1 after any other "
-      "failure.");
+  program.footer("The environment variable SHAFTCULL_ISA forces an instruction set. This machine has " +
+                 available_names() +
+                 ".\n"
+                 "Exit code: 0 after success; 2 if an option, the environment or a file cannot be used; 128 +\n"
+                 "the number of the signal if SIGINT or SIGTERM ended demo, sees, factors, sun, batch, verify\n"
+                 "or hash (demo, verify and hash then print partial results); 1 after any other failure.");
   for (const auto add : subcommands) add(program);
   try {
     // The last one first, without the name of the program.
@@ -125,7 +126,7 @@ int main(int argc, char** argv) {
   } catch (const std::invalid_argument& error) {
     return complain_of_options(words, error.what());
   } catch (const std::bad_alloc&) {
-    return complain("out of memory; ask for fewer bounds or shafts", exit_failure);
+    return complain("out of memory; use fewer bounds or shafts", exit_failure);
   } catch (const std::exception& error) {
     return std::ferror(stdout) != 0 ? finish_output(exit_failure) : complain(error.what(), exit_failure);
   }

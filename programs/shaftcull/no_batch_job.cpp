@@ -7,9 +7,8 @@ namespace shaftcull::cli {
 
 void run_batch_job(const batch::Job& /*job*/, int /*threads*/, const std::function<void()>& /*check*/) {
   throw InvalidArgument(
-      "batch: this program was built without HDF5 or xxHash and writes no batches; install both (Debian: libhdf5-dev "
-      "or "
-      "libhdf5-openmpi-dev, and libxxhash-dev), then configure with SHAFTCULL_WITH_HDF5=ON and build again");
+      "batch: this program was built without HDF5 or xxHash and cannot run batches; install both (Debian: libhdf5-dev "
+      "or libhdf5-openmpi-dev, and libxxhash-dev), then configure with SHAFTCULL_WITH_HDF5=ON and build again");
 }
 
 }  // namespace shaftcull::cli

@@ -9,7 +9,7 @@ namespace shaftcull::cli {
 
 MeshScene load_mesh_isolated(const std::string& path, const MeshReading& /*reading*/) {
   throw InvalidArgument(
-      fmt::format("{}: this program was built without assimp and reads no mesh files; install assimp (Debian: "
+      fmt::format("{}: this program was built without assimp and cannot read mesh files; install assimp (Debian: "
                   "libassimp-dev), then configure with SHAFTCULL_WITH_ASSIMP=ON and build again",
                   path));
 }

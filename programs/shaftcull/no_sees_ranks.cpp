@@ -13,7 +13,7 @@ bool is_launched() noexcept {
 
 void run_on_launched_ranks(SeesJob& /*job*/) {
   throw InvalidArgument(
-      "sees: this program was built without HDF5 or xxHash, and knows nothing of other processes; install both "
+      "sees: this program was built without HDF5 or xxHash and cannot share work with other processes; install both "
       "(Debian: libhdf5-openmpi-dev and libxxhash-dev) and MPI (libopenmpi-dev), then build again");
 }
 

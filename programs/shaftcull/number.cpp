@@ -13,7 +13,7 @@ namespace {
 /// Why `text` is not a number from `least` to `most`; empty if it is one.
 std::string_view fault_of(std::string_view text, double least, double most) {
   const auto [value, error] = parse_number<double>(text);
-  if (error == std::errc::result_out_of_range) return "beyond what a number here can be";
+  if (error == std::errc::result_out_of_range) return "out of range";
   if (error != std::errc() || std::isnan(value)) return "not a number";
   if (value < least) return "too small";
   if (value > most) return "too large";
@@ -29,7 +29,7 @@ std::uint64_t whole_number(std::string_view option, std::string_view text, std::
   if (fault.empty()) {
     const double real = parse_number<double>(text).value;
     fault = error == std::errc::result_out_of_range ? "too large"
-            : real == std::trunc(real)              ? "not written in digits alone"
+            : real == std::trunc(real)              ? "not written in digits only"
                                                     : "not a whole number";
   }
   throw InvalidArgument(fmt::format("{} {}: {}; give a whole number from {} to {}", option, text, fault, least, most));

@@ -63,14 +63,14 @@ void require_different_files(std::initializer_list<std::pair<const char*, const 
       if (one->second.empty() || is_stream(one->second) || path == "-") continue;
       std::error_code ignored;
       if (!std::filesystem::equivalent(file_path(one->second), file_path(path), ignored)) continue;
-      throw InvalidArgument(
-          fmt::format("{} {}: this file is read, and would be replaced; give another name", one->first, one->second));
+      throw InvalidArgument(fmt::format("{} {}: this file is also an input, and would be replaced; give another name",
+                                        one->first, one->second));
     }
     for (auto other = one + 1; other != files.end(); ++other) {
       if (one->second.empty() || other->second.empty()) continue;
       if (one->second != other->second && !(is_standard_output(one->second) && is_standard_output(other->second)))
         continue;
-      throw InvalidArgument(fmt::format("{} {} {} {}: one cannot be both; give two files", one->first, one->second,
+      throw InvalidArgument(fmt::format("{} {} {} {}: one file cannot be both; give two files", one->first, one->second,
                                         other->first, other->second));
     }
   }

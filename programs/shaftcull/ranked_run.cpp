@@ -30,7 +30,7 @@ void run_on_ranks(int threads, const std::function<void()>& check,
     throw EarlyExit(ranks ? other.code() : exit_ok);
   } catch (const std::exception& error) {
     const bool lacks_memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
-    const int code = complain(lacks_memory ? "out of memory; --memory says how much may be taken" : error.what(),
+    const int code = complain(lacks_memory ? "out of memory; set a limit with --memory" : error.what(),
                               batch::exit_code_of(std::current_exception()));
     if (ranks) {
       // Where others do not know of it, they would wait for this rank for ever. Where they do, they wait until it is

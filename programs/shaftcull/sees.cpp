@@ -84,17 +84,17 @@ SeesReport run_sees(const SeesScene& scene, const SeesBlocks& patches, SeesWork 
 
 void add_sees(CLI::App& program) {
   const auto options = std::make_shared<SeesOptions>();
-  CLI::App& sees = *program.add_subcommand(
-      "sees", "Tell of all pairs of patches of a mesh file which see each other for certain, and which cannot");
-  options->scene.add(
-      sees,
-      "Triangles are split until no edge is longer (default: a 32nd of the scene, or more for 500 million pairs)");
+  CLI::App& sees =
+      *program.add_subcommand("sees", "Prove which pairs of patches of a mesh file see each other, and which cannot");
+  options->scene.add(sees,
+                     "Split triangles until no edge is longer (default: a 32nd of the scene; more if that makes over "
+                     "500 million pairs)");
   options->scene.may_be_two_sided = true;
   sees.add_flag("--two-sided", options->scene.choice.two_sided,
-                "Patches see on both sides; without it, where the right-hand normal of their triangle points")
+                "Patches see on both sides; by default, they see where the right-hand normal of their triangle points")
       ->excludes("--flip");
   add_number(sees, "--rays", options->content.rays, 1, 65'536,
-             "Decide undecided pairs by so many rays each; solids then hide nothing of what lies inside them")
+             "Decide each undecided pair by S rays; solids then do not hide patches that lie inside them")
       ->type_name("S");
   add_number(sees, "--seed", options->scene.seed, 0, largest_seed, "Seed of --rays and --rooms (default: 1)")
       ->type_name("S");
@@ -103,17 +103,17 @@ void add_sees(CLI::App& program) {
                       "Write all answers to a file: .npz, for NumPy, or .csv; - is standard output (CSV)")
           ->type_name("FILE");
   sees.add_flag("--candidates", options->content.candidates,
-                "With --out FILE.npz: also which occluders reach between undecided pairs")
+                "With --out FILE.npz: also write which occluders reach between the patches of undecided pairs")
       ->needs(out);
   CLI::Option* svg =
       sees.add_option("--svg", options->svg,
-                      "Draw patches from above, coloured by what share of the others they see; - is standard "
-                      "output")
+                      "Draw patches from above, coloured by the share of others that they see; - is standard output")
           ->type_name("FILE");
   sees.add_option("--ply", options->ply,
-                  "Write patches as a mesh, coloured by what share of the others they see: face i is patch i")
+                  "Write patches as a mesh, coloured by the share of others that they see; face i is patch i")
       ->type_name("FILE");
-  sees.add_flag("--objects", options->objects, "Report also what each two objects see of each other");
+  sees.add_flag("--objects", options->objects,
+                "Also report, for each pair of objects, how much they see of each other");
   sees.add_option("--up", options->up, "With --svg: the axis that points up in the scene (default: z)")
       ->check(CLI::IsMember({"x", "y", "z"}))
       ->type_name("AXIS")
@@ -121,18 +121,18 @@ void add_sees(CLI::App& program) {
   sees.add_option("--format", options->format, "Output: text, json or csv (default: text)")
       ->check(CLI::IsMember({"text", "json", "csv"}))
       ->type_name("FORMAT");
-  add_number(sees, "--memory", options->megabytes, 1, 1'000'000, "MB that answers under way may take (default: 256)")
+  add_number(sees, "--memory", options->megabytes, 1, 1'000'000,
+             "Limit of the memory of pending answers, in MB (default: 256)")
       ->type_name("MB");
   add_number(sees, "--threads", options->threads, 0, most_threads,
-             "Threads, 0 for all there are; answers do not depend on it (default: 0)")
+             "Number of threads, 0 for all; answers do not depend on it (default: 0)")
       ->type_name("N");
   options->isa.add_option(sees);
   sees.footer(
-      "A pair of patches is clear if nothing stands between them, occluded if one solid hides all, facing away if one\n"
-      "lies behind the plane of the other, and undecided otherwise. The first three are proven; rays tell of "
-      "undecided\n"
-      "pairs how much is seen. Ctrl-C (SIGINT, or SIGTERM) ends it early, without a file; a second one ends it at\n"
-      "once.");
+      "A pair of patches is clear if nothing stands between the two, occluded if one solid hides all of\n"
+      "one from the other, facing away if one lies behind the plane of the other, and otherwise undecided.\n"
+      "The first three answers are proven. For undecided pairs, rays measure how much is visible.\n"
+      "Ctrl-C (SIGINT) or SIGTERM ends the run early, without a file. A second signal ends it at once.");
   sees.callback([options] {
     options->scene.require_scene("sees");
     run(*options);

@@ -25,8 +25,9 @@ std::uint64_t digits_of(std::uint32_t number) {
 void require_pairs_for_csv(const std::string& path, std::uint64_t patches) {
   const std::uint64_t pairs = patches == 0 ? 0 : patches * (patches - 1) / 2;
   if (pairs <= most_csv_pairs) return;
-  throw InvalidArgument(fmt::format("--out {}: {} pairs; a CSV file may have {}; give an .npz file, or larger patches",
-                                    path, grouped(pairs), grouped(most_csv_pairs)));
+  throw InvalidArgument(fmt::format(
+      "--out {}: there are {} pairs, but a CSV file may have at most {}; give an .npz file, or larger patches", path,
+      grouped(pairs), grouped(most_csv_pairs)));
 }
 
 void require_no_candidates(const std::string& path, const SightContent& content) {

@@ -177,8 +177,8 @@ std::string coarseness(const SeesScene& scene) {
   const bool is_coarse = step * steps_of_a_patch > scene.patch_size || step * steps_of_an_object > double{thinnest};
   if (!is_coarse || step < gain * step_near_origin) return {};
   return fmt::format(
-      "\nCoordinates reach {}, where floats are {:.2g} apart; patches are {:.4g} long, and the thinnest object {:.2g}: "
-      "walls may be flat or gone. --origin moves the scene, and near 0 floats are {:.1g} apart",
+      "\nCoordinates reach {}, where floats are {:.2g} apart; patches are {:.4g} long, and the thinnest object is "
+      "{:.2g} thick: walls may be flat or lost. --origin moves the scene; near 0, floats are {:.1g} apart",
       largest, step, scene.patch_size, thinnest, step_near_origin);
 }
 
@@ -207,8 +207,8 @@ std::string estimate(const SeesScene& scene, const SeesBlocks& patches, const Se
   if (out.empty() && seconds < moment) return {};
   std::string text = fmt::format("This will take about {}", duration(seconds));
   if (!out.empty()) {
-    text +=
-        fmt::format(", and {}B in {}", prefixed(bytes_of(sample, pairs, patches.size(), work, out)), printable(out));
+    text += fmt::format(", and write {}B to {}", prefixed(bytes_of(sample, pairs, patches.size(), work, out)),
+                        printable(out));
   }
   if (seconds < hour) return text;
   const double larger = 2 * scene.patch_size;

@@ -102,7 +102,7 @@ class CsvSights final : public SightSink {
 SightForm sight_form(const std::string& path, std::uint64_t patches) {
   if (path.ends_with(".npz")) return SightForm::npz;
   if (!path.ends_with(".csv") && !is_stream(path)) {
-    throw InvalidArgument(fmt::format("--out {}: what kind of file? Give a name that ends in .npz or .csv", path));
+    throw InvalidArgument(fmt::format("--out {}: unknown kind of file; give a name that ends in .npz or .csv", path));
   }
   require_pairs_for_csv(path, patches);
   return SightForm::csv;

@@ -28,7 +28,7 @@ void SeesJob::check() const {
       const auto& [other_option, other_path] = files[i];
       if (path.empty() || (path != other_path && !(is_output(path) && is_output(other_path)))) continue;
       throw InvalidArgument(
-          fmt::format("{} {} {} {}: one cannot be both; give two files", option, path, other_option, other_path));
+          fmt::format("{} {} {} {}: one file cannot be both; give two files", option, path, other_option, other_path));
     }
   }
 }

@@ -22,8 +22,7 @@ ObjectSights::ObjectSights(const SeesScene& scene, std::span<const std::uint32_t
   const std::size_t objects = scene.mesh.names.size();
   if (objects > most_objects_in_pairs) {
     throw InvalidArgument(
-        fmt::format("--objects: there are {} objects, and it takes {} at most; --by-material may make "
-                    "fewer",
+        fmt::format("--objects: there are {} objects, but the table has at most {}; --by-material may make fewer",
                     grouped(objects), grouped(most_objects_in_pairs)));
   }
   patches_of_.resize(objects);

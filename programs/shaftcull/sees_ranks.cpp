@@ -62,8 +62,8 @@ std::string folder_beside(const SeesOptions& options) {
 /// Nothing can be kept beside a stream.
 void require_file(const char* option, const std::string& path) {
   if (path.empty() || !is_stream(path)) return;
-  throw InvalidArgument(
-      fmt::format("{} {}: ranks keep what is finished beside a file; this is none. Give a file", option, path));
+  throw InvalidArgument(fmt::format(
+      "{} {}: ranks keep finished results beside this file, so it cannot be a stream; give a file", option, path));
 }
 
 class RankedSees {
@@ -100,7 +100,7 @@ class RankedSees {
   void describe() {
     const SeesOptions& options = job_.options();
     const std::uint64_t scene = checksum_of(job_.scene());
-    batch::agree_on(ranks_, scene, fmt::format("{} has other patches there than for rank 0", job_.source()));
+    batch::agree_on(ranks_, scene, fmt::format("{} has other patches than on rank 0", job_.source()));
     description_ = {{"version", surroundings_.version},
                     {"scene", fmt::format("{} patches, {:016x}", job_.patches().size(), scene)},
                     {"rays", fmt::format("{}", options.content.rays)},
@@ -208,7 +208,8 @@ class RankedSees {
   /// The answers of a unit, which was whole on disk a moment ago. Throws if it no longer is.
   [[nodiscard]] UnitAnswer stored(std::size_t unit) const {
     if (std::optional<UnitAnswer> answer = store_->read<UnitAnswer>(0, unit)) return *std::move(answer);
-    throw std::runtime_error(fmt::format("{}: is damaged; the same command does it again", store_->path(0, unit)));
+    throw std::runtime_error(
+        fmt::format("{}: is damaged; run the same command again to recompute it", store_->path(0, unit)));
   }
 
   [[nodiscard]] batch::ProgressState state_of(const char* phase, std::uint64_t before, std::uint64_t pieces) const {
@@ -230,10 +231,10 @@ class RankedSees {
       });
     };
     dealing.on_all_until_stopped(
-        take_pieces, keeps_
-                         ? fmt::format("sees: interrupted; what is finished is in {}: the same command goes on with it",
-                                       folder_.path())
-                         : std::string("sees: interrupted"));
+        take_pieces,
+        keeps_ ? fmt::format("sees: interrupted; finished results are in {}; run the same command again to resume",
+                             folder_.path())
+               : std::string("sees: interrupted"));
     if (ranks_.rank() == 0) tell();
   }
 

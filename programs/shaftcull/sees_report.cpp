@@ -30,9 +30,9 @@ std::vector<PairKind> kinds_of(const SeesReport& report) {
                               kind(Sight::facing_away, counts.sights.facing_away),
                               kind(Sight::undecided, counts.sights.undecided)};
   if (report.rays != 0) {
-    kinds.push_back({"  by rays visible", "rays_visible", counts.visible});
-    kinds.push_back({"  by rays partly", "rays_partly", counts.partial});
-    kinds.push_back({"  by rays hidden", "rays_hidden", counts.hidden});
+    kinds.push_back({"  rays: visible", "rays_visible", counts.visible});
+    kinds.push_back({"  rays: partly", "rays_partly", counts.partial});
+    kinds.push_back({"  rays: hidden", "rays_hidden", counts.hidden});
   }
   return kinds;
 }
@@ -53,7 +53,7 @@ std::string solids_text(const SeesSolids& solids) {
     return fmt::format("{} {}", grouped(n), n == 1 ? one : more);
   };
   if (solids.hulls + solids.polygons + solids.inner_boxes != 0) {
-    text += fmt::format("found solid: {}, {}, {}\n", count(solids.hulls, "convex body", "convex bodies"),
+    text += fmt::format("solids found: {}, {}, {}\n", count(solids.hulls, "convex body", "convex bodies"),
                         count(solids.polygons, "flat polygon", "flat polygons"),
                         count(solids.inner_boxes, "box inside others", "boxes inside others"));
   }
@@ -96,7 +96,7 @@ std::string text_of(const SeesReport& report) {
                                  count(report.occluders, "occluder"), grouped(report.solids.named));
   text += solids_text(report.solids);
   if (report.tolerance > 0) {
-    text += fmt::format("patches that are off a plane by {:.2g} at most lie in it\n", report.tolerance);
+    text += fmt::format("patches within {:.2g} of a plane count as lying in it\n", report.tolerance);
   }
   text += "\n";
   Table table({"pairs of patches", "number", "share"});
@@ -111,7 +111,7 @@ std::string text_of(const SeesReport& report) {
                             prefixed(rate_of(report)), count(static_cast<std::size_t>(report.threads), "thread"),
                             report.ranks == 1 ? "" : fmt::format(" of {} ranks", report.ranks), report.isa,
                             grouped((report.memory + 999'999) / 1'000'000),
-                            report.rays == 0 ? "" : fmt::format(", {} a pair", count(report.rays, "ray")));
+                            report.rays == 0 ? "" : fmt::format(", {} per pair", count(report.rays, "ray")));
 }
 
 std::string csv_of_objects(const SeesReport& report) {

@@ -189,7 +189,7 @@ void scale(MeshScene& mesh, double factor) {
     scale(box, factor);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (std::isfinite(box.lo[axis]) && std::isfinite(box.hi[axis])) continue;
-      throw InvalidArgument(fmt::format("--scale {}: coordinates are too large then for floats", factor));
+      throw InvalidArgument(fmt::format("--scale {}: coordinates would be too large for floats", factor));
     }
   }
 }

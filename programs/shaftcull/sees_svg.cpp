@@ -16,7 +16,7 @@ std::string svg_of_shares(const SeesScene& scene, const SeenShares& shares, std:
     faces.corners.insert(faces.corners.end(), patch.corner.begin(), patch.corner.end());
     faces.first.push_back(faces.corners.size());
   }
-  const std::string title = "What share of the other patches each patch sees";
+  const std::string title = "Share of the other patches that each patch sees";
   const std::span<const double> undecided = shares.undecided();
   const ShareMap all{shares.seen(), ramp_of_seen, "shares", "of the other patches are seen"};
   if (std::all_of(undecided.begin(), undecided.end(), [](double share) { return share == 0; })) {
@@ -24,7 +24,7 @@ std::string svg_of_shares(const SeesScene& scene, const SeenShares& shares, std:
   }
   const ShareMap maps[] = {{shares.seen(), ramp_of_seen, "shares", "proven to be seen"},
                            {undecided, ramp_of_undecided, "undecided", "undecided"}};
-  return picture_of(faces, maps, up, title + " for certain, and of what share that is undecided");
+  return picture_of(faces, maps, up, title + " for certain, and share that is undecided");
 }
 
 }  // namespace shaftcull::cli

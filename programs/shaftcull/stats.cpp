@@ -90,7 +90,7 @@ void print_histogram(const Statistics& statistics, std::uint32_t shafts) {
 }
 
 void print_plane_tests(const PlaneCount& count) {
-  fmt::print("Plane tests per bound, of bounds that the shaft box does not decide\n\n");
+  fmt::print("Plane tests per bound, for bounds that the shaft box does not decide\n\n");
   Table table({"order of planes", "outside", "inside"});
   constexpr std::array<const char*, plane_orders.size()> names{"unsorted", "by volume", "by added volume"};
   for (std::size_t order = 0; order < plane_orders.size(); ++order) {
@@ -101,7 +101,7 @@ void print_plane_tests(const PlaneCount& count) {
 }
 
 void print_answers(const Statistics& statistics) {
-  fmt::print("What becomes of the bounds\n\n");
+  fmt::print("Answers for the bounds\n\n");
   Table table({"shafts", "culled by box", "culled by planes", "kept", "of these inside"});
   const auto add = [&](const char* what, const PlaneCount& count) {
     table.add_row({what, percent(count.bounds - count.outside_tests, count.bounds),
@@ -129,19 +129,19 @@ void print_answers(const StatsOptions& options) {
   } else {
     add_row(table, kind, count_cubes(options.shafts, options.choice));
   }
-  fmt::print("What becomes of the {}\n\n{}", options.triangles ? "triangles" : "bounds", table.text());
+  fmt::print("Answers for the {}\n\n{}", options.triangles ? "triangles" : "bounds", table.text());
 }
 
 void print_blocking(const StatsOptions& options) {
   const OcclusionCount count = count_blocking(options.shafts, options.choice);
-  Table table({"what blocks", "any cube", "share", "one around no end", "share"});
+  Table table({"number of", "by any cube", "share", "by one around no end", "share"});
   const auto add = [&](const char* what, const OcclusionSum& sum) {
     table.add_row({what, grouped(sum.by_any), percent(sum.by_any, sum.all), grouped(sum.by_one_between),
                    percent(sum.by_one_between, sum.all)});
   };
   add("cubes that block", count.cubes);
   add("shafts that are occluded", count.shafts);
-  fmt::print("\nWhat hides all of one end from the other\n\n{}", table.text());
+  fmt::print("\nCubes that hide all of one end from the other\n\n{}", table.text());
 }
 
 void run(const StatsOptions& options) {
@@ -171,8 +171,9 @@ void run(const StatsOptions& options) {
 
 void add_stats(CLI::App& program) {
   const auto options = std::make_shared<StatsOptions>();
-  CLI::App& stats = *program.add_subcommand("stats", "Gather the paper's statistics over random shafts");
-  add_number(stats, "--shafts", options->shafts.count, 1, 100'000'000, "How many random shafts (default: 10000)")
+  CLI::App& stats = *program.add_subcommand(
+      "stats", "Print the paper's statistics over random shafts, or count the answers of other kinds of shafts");
+  add_number(stats, "--shafts", options->shafts.count, 1, 100'000'000, "Number of random shafts (default: 10000)")
       ->type_name("N");
   add_number(stats, "--seed", options->shafts.seed, 0, largest_seed, "Seed of the random shafts (default: 12345)")
       ->type_name("S");
@@ -180,33 +181,31 @@ void add_stats(CLI::App& program) {
              "Half extent of the cubes that are tested (default: 0.125)")
       ->type_name("R");
   add_number(stats, "--lattice", options->shafts.lattice, 1, 1'000'000,
-             "Put corners at multiples of 1/N and cubes on the grid itself, so that many touch (default: anywhere)")
+             "Put corners at multiples of 1/N, and cubes exactly on their grid, so that many touch (default: anywhere)")
       ->type_name("N");
   options->choice.add_options(stats, nullptr);
   CLI::Option* solid =
       stats
           .add_flag("--solid", options->solid,
-                    "Take cubes for solid, and count those that block: hide all of one end from the other")
+                    "Treat cubes as solid, and count those that block, that is, hide all of one end from the other")
           ->excludes(stats.get_option("--swept"))
           ->excludes(stats.get_option("--shadow"));
   stats
       .add_flag("--triangles", options->triangles,
-                "Test a random triangle in each cube instead, by its vertices and exactly")
+                "Test a random triangle in each cube instead of the cube, by its vertices and exactly")
       ->excludes(solid);
   options->isa.add_option(stats);
   stats.footer(
-      "A shaft joins two boxes whose corners are uniform in the unit cube, stretched so that the shaft box is the\n"
-      "unit cube; it meets cubes on a grid of 21 x 21 x 21 points over the unit cube. \"outside\" counts the plane\n"
-      "tests until a bound is found outside, for all bounds that meet the shaft box; \"inside\" those until a bound "
-      "is\n"
-      "found not inside, for all bounds inside the shaft box that are not outside the shaft.\n"
-      "With --swept, --shadow, --contact open, --lattice, --solid or --triangles, shafts are of two random boxes, or "
-      "one,\n"
-      "as they are drawn; lights and occluders are apart. Then outside, overlap and inside are counted. A cube blocks "
-      "if\n"
-      "every segment between the two ends passes through it. One around an end does so, too, so that cubes around no "
-      "end\n"
-      "are also counted alone.");
+      "A shaft joins two boxes whose corners are uniform in the unit cube. It is stretched so that\n"
+      "its box is the unit cube, and tested against cubes on a grid of 21 x 21 x 21 points over\n"
+      "the unit cube. \"outside\" counts the plane tests until a bound is found to be outside, for\n"
+      "all bounds that meet the shaft box. \"inside\" counts the plane tests until a bound is\n"
+      "found not to be inside, for all bounds inside the shaft box that are not outside the shaft.\n"
+      "With --swept, --shadow, --contact open, --lattice, --solid or --triangles, shafts are\n"
+      "formed of two random boxes, or of one, and are not stretched; lights and occluders do not\n"
+      "touch. The answers outside, overlap and inside are counted.\n"
+      "A cube blocks a shaft if every segment between the two ends passes through the cube. A cube\n"
+      "around an end does so, too, so cubes around no end are also counted separately.");
   stats.callback([options] { run(*options); });
 }
 

@@ -51,12 +51,12 @@ std::vector<std::string> with_directions(std::vector<std::string> paths, const s
 void set_positions(SunResult& result, const SunOptions& options) {
   if (!options.directions.empty()) {
     result.positions = read_sun_positions(options.directions);
-    result.where = "of " + printable(options.directions);
+    result.where = "from " + printable(options.directions);
     return;
   }
   if (options.day.empty()) {
     throw InvalidArgument(
-        "sun: where does the sun stand? Give --latitude DEGREES and --day MM-DD, or --directions FILE");
+        "sun: no position of the sun is given; add --latitude DEGREES and --day MM-DD, or --directions FILE");
   }
   result.positions = sun_path(options.latitude, day_of_year(options.day), options.minutes, options.up[0]);
   result.where = fmt::format("latitude {}, {}, every {:.4g} min", options.latitude, printable(options.day),
@@ -137,53 +137,54 @@ void add_sun(CLI::App& program) {
   const auto options = std::make_shared<SunOptions>();
   CLI::App& sun =
       *program.add_subcommand("sun", "Compute how long the sun shines on each facet of a mesh file, shadows included");
-  options->scene.add(sun, "Facets are cut until no edge is longer (default: facets are whole, as in the file)");
+  options->scene.add(sun, "Cut facets until no edge is longer (default: facets stay whole, as in the file)");
   CLI::Option* latitude =
-      add_number(sun, "--latitude", options->latitude, -90, 90, "Degrees north of the equator; south of it negative")
+      add_number(sun, "--latitude", options->latitude, -90, 90, "Degrees north of the equator, negative to the south")
           ->type_name("DEGREES");
-  CLI::Option* day = sun.add_option("--day", options->day, "The day: month and day, as 06-21")->type_name("MM-DD");
+  CLI::Option* day = sun.add_option("--day", options->day, "Month and day, for example 06-21")->type_name("MM-DD");
   latitude->needs(day);
   day->needs(latitude);
   CLI::Option* every =
       add_number(sun, "--every", options->minutes, 1, 360,
-                 "Minutes from one position of the sun to the next, about: steps divide the day (default: 15)")
+                 "Minutes between positions of the sun, rounded so that equal steps divide the day (default: 15)")
           ->type_name("MINUTES");
   sun.add_option("--directions", options->directions,
-                 "Instead of a day: a file with the way to the sun in each line, x,y,z or x,y,z,hours")
+                 "Instead of a day: a file with a direction to the sun in each line, x,y,z or x,y,z,hours")
       ->type_name("FILE")
       ->excludes(latitude)
       ->excludes(day)
       ->excludes(every);
   add_number(sun, "--rays", options->ask.rays, 1, 65'536,
-             "Most rays from a patch to each position of the sun, a multiple of 16 (default: 64)")
+             "Maximum number of rays per patch and position of the sun, rounded up to a multiple of 16 (default: 64)")
       ->type_name("S");
   add_number(sun, "--error", options->ask.error, 0, 1,
-             "Fewer rays where the standard error of the lit share is at most this (default: 0, all rays)")
+             "Cast fewer rays if the standard error of the lit share is at most this (default: 0, all rays)")
       ->type_name("E");
   add_number(sun, "--seed", options->scene.seed, 0, largest_seed, "Seed of rays and --rooms (default: 1)")
       ->type_name("S");
-  sun.add_option("--out", options->out, "Write hours, and what is lit when, to a file for NumPy: .npz")
+  sun.add_option("--out", options->out,
+                 "Write hours, and the lit share of each patch at each position, to a file for NumPy: .npz")
       ->type_name("FILE");
   sun.add_option("--svg", options->svg, "Draw patches from above, coloured by their hours; - is standard output")
       ->type_name("FILE");
-  sun.add_option("--ply", options->ply, "Write patches as a mesh, coloured by their hours: face i is patch i")
+  sun.add_option("--ply", options->ply, "Write patches as a mesh, coloured by their hours; face i is patch i")
       ->type_name("FILE");
-  sun.add_flag("--objects", options->objects, "Report also the hours of each object, in the mean by area");
+  sun.add_flag("--objects", options->objects, "Also report the hours of each object, averaged over its area");
   sun.add_option("--up", options->up, "The axis that points up in the scene (default: z)")
       ->check(CLI::IsMember({"x", "y", "z"}))
       ->type_name("AXIS");
-  sun.add_option("--format", options->format, "Output: text, json or csv, of each patch (default: text)")
+  sun.add_option("--format", options->format, "Output: text, json, or csv with a row per patch (default: text)")
       ->check(CLI::IsMember({"text", "json", "csv"}))
       ->type_name("FORMAT");
   add_number(sun, "--threads", options->threads, 0, most_threads,
-             "Threads, 0 for all there are; hours do not depend on it (default: 0)")
+             "Number of threads, 0 for all; hours do not depend on it (default: 0)")
       ->type_name("N");
   options->isa.add_option(sun);
   sun.footer(
-      "Hours are of solar time: the sun is highest at noon. Facets are lit on the side from which their corners run\n"
-      "counterclockwise. With --up z, x points east and y north; with --up y, x east and -z north; with --up x, y "
-      "east\n"
-      "and z north. Ctrl-C (SIGINT, or SIGTERM) ends it early, without a file.");
+      "Hours are in solar time: the sun is highest at noon. Facets are lit on the side from which their\n"
+      "corners are seen in counterclockwise order. With --up z, x points east and y points north. With\n"
+      "--up y, x points east and -z points north. With --up x, y points east and z points north.\n"
+      "Ctrl-C (SIGINT) or SIGTERM ends the run early, without a file.");
   sun.callback([options] {
     options->scene.require_scene("sun");
     run(*options);

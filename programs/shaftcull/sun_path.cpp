@@ -59,8 +59,8 @@ int day_of_year(const std::string& text) {
   const ParsedNumber<int> day = parse_number<int>(std::string_view(text).substr(std::min(dash + 1, text.size())));
   const bool are_numbers = month.error == std::errc() && day.error == std::errc();
   if (!are_numbers || month.value < 1 || month.value > 12 || day.value < 1 || day.value > days[month.value - 1]) {
-    throw InvalidArgument(fmt::format("--day {}: a month and a day of it are expected, as 06-21, of a year of 365 days",
-                                      printable(text)));
+    throw InvalidArgument(
+        fmt::format("--day {}: give a month and a day of a year of 365 days, for example 06-21", printable(text)));
   }
   int number = day.value;
   for (std::size_t m = 0; m + 1 < month.value; ++m) number += days[m];
@@ -110,7 +110,7 @@ std::vector<SunPosition> read_sun_positions(const std::string& path) {
         (std::fabs(numbers[0]) >= 1e-30 || std::fabs(numbers[1]) >= 1e-30 || std::fabs(numbers[2]) >= 1e-30);
     if (!is_direction || (numbers.size() == 4 && numbers[3] < 0)) {
       throw InvalidArgument(
-          fmt::format("--directions {}: line {} is \"{}\"; the way to the sun, x,y,z, is expected, and hours behind it",
+          fmt::format("--directions {}: line {} is \"{}\"; give a direction to the sun, as x,y,z or x,y,z,hours",
                       printable(path), number, printable(line.substr(0, 80))));
     }
     const double length = std::hypot(numbers[0], numbers[1], numbers[2]);
@@ -119,7 +119,8 @@ std::vector<SunPosition> read_sun_positions(const std::string& path) {
     positions.push_back({towards, numbers.size() == 4 ? numbers[3] : 1});
   }
   if (file.bad()) throw InvalidArgument(fmt::format("--directions {}: the file cannot be read", printable(path)));
-  if (positions.empty()) throw InvalidArgument(fmt::format("--directions {}: there is no line x,y,z", printable(path)));
+  if (positions.empty())
+    throw InvalidArgument(fmt::format("--directions {}: the file has no line x,y,z", printable(path)));
   return positions;
 }
 

@@ -57,10 +57,10 @@ std::string sun_text(const SunResult& result) {
   std::string text = result.described();
   text += fmt::format("sun: {} position{}, {:.2f} h; {}\n", grouped(result.positions.size()),
                       result.positions.size() == 1 ? "" : "s", result.daylight(), result.where);
-  text += fmt::format("lit: {:.2f} h in the mean over all patches; {} of {} patches never\n", of.mean,
+  text += fmt::format("lit: {:.2f} h on average over all patches; {} of {} patches are never lit\n", of.mean,
                       grouped(of.never), grouped(result.patches.size()));
   if (of.never != result.hours.size()) {
-    text += fmt::format("most sun has patch {}, of {}: {:.2f} h\n", of.sunniest,
+    text += fmt::format("most sun: {2:.2f} h, for patch {0} of object {1}\n", of.sunniest,
                         printable(result.scene.mesh.names[result.object_of(of.sunniest)]), result.hours[of.sunniest]);
   }
   if (result.shows_objects) {
@@ -160,7 +160,7 @@ std::string format_report(const SunResult& result, ReportFormat format) {
 
 void require_sun_name(const std::string& path) {
   if (path.ends_with(".npz")) return;
-  throw InvalidArgument(fmt::format("--out {}: it is a file for NumPy; give a name that ends in .npz", path));
+  throw InvalidArgument(fmt::format("--out {}: this file is for NumPy; give a name that ends in .npz", path));
 }
 
 void write_sun(const SunResult& result, const std::string& path) {

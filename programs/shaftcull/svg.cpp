@@ -123,13 +123,13 @@ class SvgPicture {
         what = "The shaft between two boxes";
         break;
       case ShaftKind::swept:
-        what = "What a body sweeps over";
+        what = "The volume that a body sweeps over";
         break;
       case ShaftKind::swept_infinite:
-        what = "What a body sweeps over without end";
+        what = "The volume that a body sweeps over without end";
         break;
       case ShaftKind::shadow:
-        what = "What an occluder can shadow from a light";
+        what = "The volume that an occluder can shadow from a light";
         break;
       case ShaftKind::hull:
         what = drawing_.region.directions.empty() ? "A convex hull" : "A convex hull without end";

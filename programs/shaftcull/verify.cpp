@@ -97,10 +97,10 @@ class Verification {
     fmt::print("Undecided by the float filter: {} in slab form, {} in plane form\n", grouped(sum.undecided_slab),
                grouped(sum.undecided_planes));
     fmt::print(
-        "Right answers from rational arithmetic: {}, {} of them exactly on the boundary; the others proved in "
-        "intervals\n",
+        "Right answers from rational arithmetic: {}, {} of them exactly on the boundary; all others proven in interval "
+        "arithmetic\n",
         grouped(sum.by_rationals), grouped(sum.touching));
-    fmt::print("What sees what: {} pairs of patches in {} scenes, all from exact integers\n", grouped(pairs_),
+    fmt::print("Visibility: {} pairs of patches in {} scenes, all right answers from exact integers\n", grouped(pairs_),
                grouped(scenes_));
     fmt::print("Wrong answers: {}   ({:.0f} s, {} cases/s)\n", grouped(wrong_), seconds(),
                prefixed(static_cast<double>(sum.bounds) / seconds()));
@@ -220,7 +220,7 @@ void run(const VerifyOptions& options) {
   verification.print_summary();
   if (verification.wrong() != 0) {
     std::fflush(stdout);
-    throw std::runtime_error(fmt::format("{} of {} cases got a wrong answer; reproducers are above",
+    throw std::runtime_error(fmt::format("{} of {} cases have a wrong answer; reproducers are above",
                                          grouped(verification.wrong()), grouped(verification.compared())));
   }
   if (const int signal = verification.interrupted(); signal != 0) {
@@ -235,28 +235,24 @@ void add_verify(CLI::App& program) {
   const auto options = std::make_shared<VerifyOptions>();
   CLI::App& verify = *program.add_subcommand("verify", "Compare answers with exact rational arithmetic");
   add_number(verify, "--cases", options->cases, 1, std::uint64_t{1} << 50U,
-             "How many bounds to test (default: 1000000)")
+             "Number of bounds to test (default: 1000000)")
       ->type_name("N");
   add_number(verify, "--seed", options->seed, 0, largest_seed, "Seed of the random cases (default: 1)")->type_name("S");
   verify.add_option("--isa", options->isas, "Instruction sets to test (default: that of SHAFTCULL_ISA, or all)")
       ->type_name("NAME");
   add_number(verify, "--threads", options->threads, 0, most_threads,
-             "Threads, 0 for all there are; results do not depend on it (default: 0)")
+             "Number of threads, 0 for all; results do not depend on it (default: 0)")
       ->type_name("N");
   verify.footer(
-      "A case is one bound against one shaft: every question, in slab and plane form, among many shafts and in a tree, "
-      "on\n"
-      "every instruction set. Shafts and bounds come from families that look for trouble: touching but for an ulp, on "
-      "a\n"
-      "grid, degenerate, far from the origin, of every magnitude, with faces of every colour, with added planes. One "
-      "in\n"
-      "32 has open contact, one in 6 is a swept body, a shadow or a convex hull. Of shafts between two boxes, what "
-      "blocks\n"
-      "is asked, too; of one shaft in 8 the first contact, and of one in 64 triangles. For every 4096 cases there is a "
-      "scene\n"
-      "of patches, of all pairs of which it is asked what they see. Exit code 1 if any answer is wrong.\n"
-      "Ctrl-C (SIGINT, or SIGTERM) ends it early with the summary of the cases until then; a second one ends it at "
-      "once.");
+      "A case is one bound against one shaft. It is tested with every query, in slab and plane form, among\n"
+      "many shafts and in a tree, on every instruction set. Shafts and bounds come from families that\n"
+      "provoke faults: touching to within an ulp, on a grid, degenerate, far from the origin, of every\n"
+      "magnitude, with faces of every colour, with added planes. One shaft in 32 has open contact. One in 6\n"
+      "is a swept body, a shadow or a convex hull. Shafts between two boxes are also tested for occluders,\n"
+      "one shaft in 8 for first contact, and one in 64 against triangles. For every 4096 cases, there is a\n"
+      "scene of patches, and the visibility of all its pairs is tested. Exit code 1 if any answer is wrong.\n"
+      "Ctrl-C (SIGINT) or SIGTERM ends the run early, with the summary of the cases so far. A second signal\n"
+      "ends it at once.");
   verify.callback([options] { run(*options); });
 }
 

@@ -78,7 +78,7 @@ TEST(BatchArrayFile, WhatIsNoArrayOfRowsIsRefusedByName) {
     return why;
   };
   EXPECT_THAT(with("{'descr': '<f2', 'fortran_order': False, 'shape': (2, 4), }"),
-              HasSubstr("type <f2; known are float32"));
+              HasSubstr("type <f2; supported types are float32"));
   EXPECT_THAT(with("{'descr': '>f4', 'fortran_order': False, 'shape': (2, 4), }"), HasSubstr("type >f4"));
   EXPECT_THAT(with("{'descr': [('x', '<f4')], 'fortran_order': False, 'shape': (2, 4), }"), HasSubstr("type a record"));
   EXPECT_THAT(with("{'descr': '<f4', 'fortran_order': True, 'shape': (2, 4), }"), HasSubstr("ascontiguousarray"));
@@ -86,7 +86,7 @@ TEST(BatchArrayFile, WhatIsNoArrayOfRowsIsRefusedByName) {
   EXPECT_THAT(with("{'descr': '<f4', 'fortran_order': False, 'shape': (2, 2, 2), }"), HasSubstr("shape is (2, 2, 2)"));
   EXPECT_THAT(with("{'descr': '<f4', 'fortran_order': False, 'shape': (2, 0), }"), HasSubstr("no file can hold"));
   EXPECT_THAT(with("{'descr': '<f4', 'fortran_order': False, 'shape': (9, 2), }"),
-              AllOf(HasSubstr("cut short"), HasSubstr("72 bytes, and 64 are there")));
+              AllOf(HasSubstr("cut short"), HasSubstr("72 bytes, but only 64 are there")));
   EXPECT_THAT(with("{'descr': '<f4', 'fortran_order': False, 'shape': (1152921504606846975, 2), }"),
               HasSubstr("no file can hold"));
   EXPECT_THAT(with("{'descr': '<f4', 'fortran_order': False, 'shape': (99999999999999999999, 2), }"),
@@ -98,11 +98,11 @@ TEST(BatchArrayFile, WhatIsNoArrayOfRowsIsRefusedByName) {
 TEST(BatchArrayFile, WhatIsNoNpyFileIsRefusedByName) {
   const BatchFolder folder;
   EXPECT_THAT(refusal(folder.path("none.npy")), HasSubstr("none.npy: cannot be read: No such file"));
-  EXPECT_THAT(refusal(folder.path("")), HasSubstr("no regular file"));
+  EXPECT_THAT(refusal(folder.path("")), HasSubstr("not a regular file"));
   write_file(folder.path("empty.npy"), "");
-  EXPECT_THAT(refusal(folder.path("empty.npy")), HasSubstr("is no .npy file"));
+  EXPECT_THAT(refusal(folder.path("empty.npy")), HasSubstr("is not a .npy file"));
   write_file(folder.path("text.npy"), "1 2 3\n");
-  EXPECT_THAT(refusal(folder.path("text.npy")), HasSubstr("is no .npy file"));
+  EXPECT_THAT(refusal(folder.path("text.npy")), HasSubstr("is not a .npy file"));
   write_file(folder.path("torn.npy"), "\x93NUMPY\x01");
   EXPECT_THAT(refusal(folder.path("torn.npy")), HasSubstr("ends within its header"));
   write_file(folder.path("long.npy"), std::string("\x93NUMPY\x01\x00\xff\xff{}      ", 18));
@@ -155,7 +155,7 @@ TEST(BatchArrayFile, WhatIsNoDatasetOfRowsIsRefusedByName) {
   const BatchFolder folder;
   const std::vector<std::int16_t> values(12);
   write_hdf5(folder.path("a.h5"), H5T_STD_I16LE, {2, 6}, values.data());
-  EXPECT_THAT(refusal(folder.path("a.h5") + ":/g/a"), HasSubstr("a.h5:/g/a: holds numbers of another type"));
+  EXPECT_THAT(refusal(folder.path("a.h5") + ":/g/a"), HasSubstr("a.h5:/g/a: holds numbers of an unsupported type"));
   EXPECT_THAT(refusal(folder.path("a.h5") + ":/g"), HasSubstr("no dataset of that name"));
   EXPECT_THAT(refusal(folder.path("a.h5") + ":/b"), HasSubstr("no dataset of that name"));
   EXPECT_THAT(refusal(folder.path("a.h5")), HasSubstr("name the dataset in it"));
@@ -163,7 +163,7 @@ TEST(BatchArrayFile, WhatIsNoDatasetOfRowsIsRefusedByName) {
   write_hdf5(folder.path("one.h5"), H5T_IEEE_F32LE, {6}, values.data());
   EXPECT_THAT(refusal(folder.path("one.h5") + ":/g/a"), HasSubstr("shape is (6)"));
   write_hdf5(folder.path("big_endian.h5"), H5T_IEEE_F32BE, {1, 6}, values.data());
-  EXPECT_THAT(refusal(folder.path("big_endian.h5") + ":/g/a"), HasSubstr("another type"));
+  EXPECT_THAT(refusal(folder.path("big_endian.h5") + ":/g/a"), HasSubstr("unsupported type"));
   write_file(folder.path("text.h5"), "no HDF5");
   EXPECT_THAT(refusal(folder.path("text.h5") + ":/g/a"), HasSubstr("cannot be read as HDF5"));
 }

@@ -130,7 +130,7 @@ TEST_F(BatchJob, AnotherRunOfTheSameJobIsKeptOut) {
                                      return 0;
                                    }};
   run(job, within);
-  EXPECT_THAT(told, HasSubstr("another run works on this job"));
+  EXPECT_THAT(told, HasSubstr("another run is working on this job"));
 }
 
 }  // namespace

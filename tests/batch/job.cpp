@@ -288,9 +288,9 @@ TEST_F(BatchJob, ArraysThatDoNotFitAreRefused) {
   EXPECT_THAT(refusal(), HasSubstr("holds boxes itself"));
   job.boxes = "";
   write_npy<std::int32_t>(job.shafts, "<i4", 2, std::vector<std::int32_t>{0, 1, 2, 1500, 5, -1});
-  EXPECT_THAT(refusal(), HasSubstr("Add --boxes"));
+  EXPECT_THAT(refusal(), HasSubstr("add --boxes"));
   job.boxes = job.bounds;
-  EXPECT_THAT(refusal(), HasSubstr("shafts.npy: row 1: 1500 is no position of the 1500 boxes of"));
+  EXPECT_THAT(refusal(), HasSubstr("shafts.npy: row 1: position 1500 is out of range for the 1500 boxes of"));
   std::filesystem::remove_all(job.out + ".parts");
   write_npy<std::int32_t>(job.shafts, "<i4", 2, std::vector<std::int32_t>{0, 1, 2, 1499, 5, -1});
   EXPECT_THAT(refusal(), HasSubstr("shafts.npy: row 2: a position of a box is below 0"));
@@ -306,7 +306,7 @@ TEST_F(BatchJob, QuestionsThatBoundsCannotAnswerAreRefused) {
   EXPECT_THAT(refusal(), HasSubstr("--answer first: "));
   write_floats(job.bounds, 4, random_bounds(BoundKind::sphere));
   job.question.answer = Answer::occluded;
-  EXPECT_THAT(refusal(), HasSubstr("--answer occluded: only boxes block"));
+  EXPECT_THAT(refusal(), HasSubstr("--answer occluded: only boxes can block"));
 }
 
 TEST_F(BatchJob, TheFirstBadRowIsNamedByItsPlaceInTheFile) {
@@ -359,7 +359,7 @@ TEST_F(BatchJob, LittleMemoryForVeryManySharesIsRefused) {
   write_floats(job.bounds, 6, floats);
   EXPECT_EQ(run(job).shares, few) << "a bound each is as small as shares get";
   write_floats(job.bounds, 6, std::vector<float>(6 * 20'000));
-  EXPECT_THAT(message_of([&] { run(job); }), HasSubstr("--memory: 20000 bounds would be dealt into 20000 shares"));
+  EXPECT_THAT(message_of([&] { run(job); }), HasSubstr("--memory: 20000 bounds would be divided into 20000 shares"));
 }
 
 }  // namespace

@@ -19,9 +19,9 @@ TEST(BatchProgress, TextTellsBlocksRateAndTimeLeft) {
   EXPECT_EQ(progress_line({"compute", 12, 100, 0, 500, 2}, ProgressForm::text),
             "compute: 12 of 100 blocks, 3 kshafts/s, 15 s left");
   EXPECT_EQ(progress_line({"compute", 12, 100, 10, 500'000, 2}, ProgressForm::text),
-            "compute: 12 of 100 blocks (10 from before), 500 kshafts/s, 88 s left");
+            "compute: 12 of 100 blocks (10 from an earlier run), 500 kshafts/s, 88 s left");
   EXPECT_EQ(progress_line({"write", 10, 100, 10, 500, 2}, ProgressForm::text),
-            "write: 10 of 100 blocks (10 from before)");
+            "write: 10 of 100 blocks (10 from an earlier run)");
 }
 
 TEST(BatchProgress, JsonHasTheSameNumbers) {

@@ -258,7 +258,7 @@ def killed():
     assert failed.returncode == 1 and failed.stderr.count("\n") == 1, failed
     assert "out.h5.parts/" in failed.stderr and "cannot be written" in failed.stderr, failed.stderr
     assert not os.path.exists("out.h5") and os.path.exists("out.h5.parts")
-    assert "were there from before" in run(0, *options, *small).stdout
+    assert "blocks from an earlier run: " in run(0, *options, *small).stdout
     assert content("out.h5") == whole
 
     # A signal, as of a time limit: what is finished stays, and the code says so.
@@ -271,7 +271,7 @@ def killed():
         said = running.communicate()[1]
     if running.returncode != 0:
         assert running.returncode == 128 + signal.SIGTERM, running.returncode
-        assert said.count("\n") == 1 and "the same command goes on" in said, said
+        assert said.count("\n") == 1 and "run the same command again" in said, said
     run(0, *options, *small)
     assert content("out.h5") == whole
 
@@ -316,7 +316,7 @@ def trees():
     damage(trees_there[-1])
     failed = batch(0, *shares, "--log", "again")
     assert failed.returncode == 1 and failed.stderr.count("\n") == 1, failed
-    assert f"block-{count - 1:09}: is damaged; the same command does it again" in failed.stderr, failed
+    assert f"block-{count - 1:09}: is damaged; run the same command again" in failed.stderr, failed
     assert steps("again", 1, "tree") == 0
 
     # So is what was dealt: here the tree that is missing cannot be stored at first.
@@ -330,7 +330,7 @@ def trees():
     damage("out.h5.parts/bounds/share-0000/block-000000001")
     failed = batch(0, *shares, "--log", "again")
     assert failed.returncode == 1 and failed.stderr.count("\n") == 1, failed
-    assert "bounds/share-0000/block-000000001: is damaged; the same command does it again" in failed.stderr, failed
+    assert "bounds/share-0000/block-000000001: is damaged; run the same command again" in failed.stderr, failed
     assert steps("again", 1, "deal") == 0
     run(0, *shares, "--log", "again")
     assert steps("again", 1, "deal") == 1 and content("out.h5") == whole
@@ -366,7 +366,7 @@ def memory():
     assert done.returncode == 0 and " shares" in done.stdout, done
     in_shares = content("out.h5")
     failed = limited()
-    assert failed.returncode == 1 and failed.stderr.count("\n") == 1 and "out of memory; --memory says" in failed.stderr, failed
+    assert failed.returncode == 1 and failed.stderr.count("\n") == 1 and "out of memory; set a limit with --memory" in failed.stderr, failed
     shutil.rmtree("out.h5.parts")
     run(0, *options[:-2])
     assert content("out.h5") == in_shares
@@ -387,9 +387,9 @@ def errors():
     scenes = {
         "--memory 0: ": ["--memory", "0", "--bounds", "bounds.npy", "--shafts", "shafts.npy", *out],
         "--isa": ["--isa", "sse9", "--bounds", "bounds.npy", "--shafts", "shafts.npy", *out],
-        "which bounds? Add --bounds": ["--shafts", "shafts.npy", *out],
-        "which shafts? Add --shafts": ["--bounds", "bounds.npy", *out],
-        "where to? Add --out": ["--bounds", "bounds.npy", "--shafts", "shafts.npy"],
+        "no bounds are given; add --bounds": ["--shafts", "shafts.npy", *out],
+        "no shafts are given; add --shafts": ["--bounds", "bounds.npy", *out],
+        "no output file is given; add --out": ["--bounds", "bounds.npy", "--shafts", "shafts.npy"],
         "none.npy: cannot be read: No such file": ["--bounds", "none.npy", "--shafts", "shafts.npy", *out],
         "torn.npy: is cut short": ["--bounds", "torn.npy", "--shafts", "shafts.npy", *out],
         "halves.npy: holds numbers of NumPy's type <f2": ["--bounds", "halves.npy", "--shafts", "shafts.npy", *out],
@@ -400,9 +400,9 @@ def errors():
         "shafts.npy: is (500, 12) of float32; bounds are rows": ["--bounds", "shafts.npy", "--shafts", "shafts.npy", *out],
         "bounds.npy: is (500, 6) of float32; shafts": ["--bounds", "bounds.npy", "--shafts", "bounds.npy", *out],
         "wrong.npy: row 321: ": ["--bounds", "bounds.npy", "--shafts", "wrong.npy", *out, "--block", "20"],
-        "pairs.npy: row 1: 500 is no position of the 500 boxes": [
+        "pairs.npy: row 1: position 500 is out of range for the 500 boxes": [
             "--bounds", "bounds.npy", "--boxes", "bounds.npy", "--shafts", "pairs.npy", *out],
-        "--answer occluded: only boxes block": [
+        "--answer occluded: only boxes can block": [
             "--bounds", "spheres.npy", "--shafts", "shafts.npy", "--answer", "occluded", *out],
         "folder: cannot be written: it is a directory": [
             "--bounds", "bounds.npy", "--shafts", "shafts.npy", "--out", "folder"],

@@ -81,8 +81,8 @@ def on_ranks():
 def refused():
     """What cannot be used is told once, and nothing is left."""
     refusals = {
-        "--out -: ranks keep what is finished beside a file": ["--out", "-"],
-        "seen.txt: what kind of file?": ["--out", "seen.txt"],
+        "--out -: ranks keep finished results beside this file": ["--out", "-"],
+        "seen.txt: unknown kind of file": ["--out", "seen.txt"],
         "a CSV file has no candidates": ["--out", "seen.csv", "--candidates"],
         "none/seen.svg: cannot be written: No such file": ["--out", "seen.npz", "--svg", "none/seen.svg"],
         "--solid 'none': there is no object of that name in 4 rooms": ["--solid", "none"],
@@ -96,7 +96,7 @@ def refused():
         [*words, program, "sees", *scene, *both, ":", *words[1:], program, "sees", *scene, *both, "--seed", "2"],
         capture_output=True, text=True, timeout=60, check=False)
     assert mixed.returncode == 2, mixed
-    assert mixed.stderr.count("shaftcull: rank 1: 4 rooms has other patches there than for rank 0") == 1, mixed.stderr
+    assert mixed.stderr.count("shaftcull: rank 1: 4 rooms has other patches than on rank 0") == 1, mixed.stderr
 
 
 def csv():
@@ -157,7 +157,7 @@ def killed(whole):
             os.remove(name)
     before = stored_blocks("seen.npz.parts")
     done = sees(2, *both, "--rays", 3)
-    assert done.returncode == 0 and (before == 0 or " from before)" in done.stderr), (before, done)
+    assert done.returncode == 0 and (before == 0 or " from an earlier run)" in done.stderr), (before, done)
     assert take_files() == whole, seed
     assert not os.listdir()
     assert hits > 0, "none was killed in time"

@@ -89,7 +89,7 @@ TEST_F(CliCullParts, LeaveOutNoTriangleButTheirOwn) {
 TEST_F(CliCullParts, AreNamedWhereEndsAreMissing) {
   const Outcome outcome = run_program({"cull", path_});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.error, HasSubstr("its object is 'sheet', with its parts, as 'sheet part 1'"));
+  EXPECT_THAT(outcome.error, HasSubstr("its object is 'sheet', with parts such as 'sheet part 1'"));
 }
 
 TEST_F(CliCullParts, CanBeNamed) {

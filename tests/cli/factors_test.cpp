@@ -147,7 +147,7 @@ TEST_F(CliFactors, SayWhereNormalsSeemToPointTheWrongWay) {
 }
 
 TEST_F(CliFactors, RefuseWhatTheyCannotDo) {
-  EXPECT_THAT(refusal_of({"factors"}), HasSubstr("in what file?"));
+  EXPECT_THAT(refusal_of({"factors"}), HasSubstr("no file is given"));
   EXPECT_THAT(refusal_of({"factors", cube(), "--rooms", "1"}), HasSubstr("do not go together"));
   EXPECT_THAT(refusal_of({"factors", cube(), "--out", folder_.path("a.txt")}), HasSubstr("ends in .npz or .csv"));
   EXPECT_THAT(refusal_of({"factors", cube(), "--out", folder_.path("a.csv"), "--svg", folder_.path("a.csv")}),

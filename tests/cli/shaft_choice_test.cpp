@@ -55,7 +55,7 @@ TEST(CliDraw, TellsOfEachKindWhatItIs) {
   EXPECT_THAT(output_of({"draw", "--hull", "0,0,0", "4,0,0", "0,4,0", "0,0,4"}),
               AllOf(HasSubstr("Convex hull of 4 points. # inside"), HasSubstr("##")));
   EXPECT_THAT(output_of({"draw", "--hull", "0,0,0,1,1,1", "--towards", "0,0,-1"}),
-              HasSubstr("Convex hull of 8 points, and all that lies from it towards 0,0,-1."));
+              HasSubstr("Convex hull of 8 points, extended without end towards 0,0,-1."));
 }
 
 TEST(CliDraw, AnswersOfBoxesAndWhenTheyAreReached) {
