@@ -77,8 +77,8 @@ std::vector<double> bake(const Scene& scene, const sc::Visibility& sees) {
 // [[end]]
 
 // [[deliver]]
-// The same without storing answers. Many threads call resolve() at once. It counts pairs that are
-// seen or hidden as a whole, and adds the visible part of the others itself.
+// The same without storing answers. Many threads call resolve() at once. It counts pairs that
+// are seen or hidden as a whole, and adds the visible part of the others itself.
 std::vector<double> bake_in_passing(const Scene& scene, sc::SightCounts& counts) {
   Bake bake(scene);
   sc::VisibilityOptions options;

@@ -1,5 +1,6 @@
-// A physics broad phase: thousands of bodies move at once, and each stops at the first body that
-// it hits. By a tree that is refitted, and by a hand-written grid that is made for each frame.
+// A physics broad phase: thousands of bodies move at once, and each stops at the first body
+// that it hits. By a tree that is refitted, and by a hand-written grid that is made for each
+// frame.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -184,8 +185,8 @@ void compare(const char* what, const Scene& scene, bool timed) {
     hits += first[i] ? 1 : 0;
     alike += first[i].index == by_hand[i].index ? 1 : 0;
   }
-  std::printf("%s: %zu of %zu bodies hit one, %zu the same by the grid\n", what, hits, first.size(),
-              alike);
+  std::printf("%s: %zu of %zu bodies hit one, %zu the same by the grid\n", what, hits,
+              first.size(), alike);
   if (!timed) return;
   const double taken = by_hand::microseconds([&] { by_tree(scene, tree, first); });
   std::printf("  grid of %.1f: %.2f us a body; tree: %.2f us, %.2f x\n",

@@ -1,5 +1,5 @@
-// The boxes that a camera sees, and the boxes that must be drawn because their shadow falls into
-// view.
+// The boxes that a camera sees, and the boxes that must be drawn because their shadow falls
+// into view.
 #include <cstdio>
 #include <shaftcull/shaftcull.hpp>
 #include <vector>

@@ -49,7 +49,7 @@ int main() {
     if (sc::BitView(hidden)[i]) {
       ++dark;
     } else if (sc::BitView(obstructed)[i]) {
-      ++to_trace;  // sc::list_many() lists the objects in the way: trace rays against these alone
+      ++to_trace;  // sc::list_many() lists the objects to trace rays against
     } else {
       ++clear;  // the form factor needs no visibility
     }

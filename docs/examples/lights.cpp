@@ -1,5 +1,6 @@
-// The culling of an engine for one frame: the camera's view, the shadow casters of the sun in four
-// cascades, and of 64 lamps. With hulls and one tree, and with hand-written planes and blocks.
+// The culling of an engine for one frame: the camera's view, the shadow casters of the sun in
+// four cascades, and of 64 lamps. With hulls and one tree, and with hand-written planes and
+// blocks.
 #include <cmath>
 #include <cstdio>
 #include <shaftcull/shaftcull.hpp>
@@ -94,8 +95,8 @@ Drawn with_hulls(const Scene& scene, const sc::BoxTree& tree, bool exact_lamps) 
 }
 // [[end]]
 
-// The usual way: six planes for the view; for a cascade five planes of the box around it, as seen
-// from the sun, without the plane towards the sun; for a lamp the ball that it reaches.
+// The usual way: six planes for the view; for a cascade five planes of the box around it, as
+// seen from the sun, without the plane towards the sun; for a lamp the ball that it reaches.
 Drawn by_planes(const Scene& scene, const by_hand::Blocks& blocks,
                 std::vector<std::uint32_t>& kept) {
   Drawn drawn;

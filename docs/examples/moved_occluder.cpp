@@ -12,8 +12,8 @@ namespace sc = shaftcull;
 namespace {
 
 // [[shafts]]
-// Shafts in a tree of the boxes around them. A box touches few of the shafts that it is near, so
-// each of these is tested itself.
+// Shafts in a tree of the boxes around them. A box touches few of the shafts that it is near,
+// so each of these is tested itself.
 class ShaftTree {
  public:
   explicit ShaftTree(std::vector<sc::CompiledShaft> shafts) : shafts_(std::move(shafts)) {

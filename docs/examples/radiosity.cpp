@@ -1,6 +1,6 @@
 // The shafts of a radiosity solver: for each pair of patches that face each other, the
-// candidates that its rays are tested against. With shafts and one tree, and with a hand-written
-// slab loop.
+// candidates that its rays are tested against. With shafts and one tree, and with a
+// hand-written slab loop.
 #include <cstdio>
 #include <shaftcull/shaftcull.hpp>
 #include <vector>

@@ -1,5 +1,5 @@
-// A character slides along walls and floors: it moves up to the box that it hits, and goes on with
-// the rest of its path, without the part that would lead into the box.
+// A character slides along walls and floors: it moves up to the box that it hits, and goes on
+// with the rest of its path, without the part that would lead into the box.
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
@@ -28,8 +28,8 @@ struct Character {
 
 void slide(Character& character, sc::Vec3 travel, const sc::BoxTree& tree) {
   for (int hits = 0; hits != most_hits; ++hits) {
-    // Open contact: it moves along boxes that it touches. A box that it is in already, such as a
-    // lift that came up, does not hold it.
+    // Open contact: it moves along boxes that it touches. A box that it is in already, such as
+    // a lift that came up, does not hold it.
     sc::CompiledShaft way = sc::swept(character.box(), travel);
     sc::set_contact(way, sc::Contact::open);
     const auto contact = sc::first_contact(way, tree, {.skip_overlapping = true});

@@ -47,7 +47,7 @@ int main() {
   // [[frames]]
   for (int frame = 0; frame != 3; ++frame) {
     for (sc::Box& box : scene) box = sc::translated(box, {0.5F, 0, 0});
-    tree.update(std::span<const sc::Box>(scene));  // allocates nothing, sorts nothing
+    tree.update(std::span<const sc::Box>(scene));            // allocates nothing, sorts nothing
     const sc::CompiledShaft now = sc::compile(lamp, table);  // form shafts again: nanoseconds
     std::printf("frame %d: %zu\n", frame, count(now, tree));
   }
