@@ -55,9 +55,9 @@ command_release() {
   compare_interfaces "$commit"
   make_release "$commit" "$version" "$work/first" "$work/files"
   if [[ $check ]]; then
-    # In another folder, whose name has another length.
-    unpack "$commit" "$work/the second time"
-    make_release "$commit" "$version" "$work/the second time" "$work/again"
+    # In a folder whose name has another length.
+    unpack "$commit" "$work/once_more_from_the_beginning"
+    make_release "$commit" "$version" "$work/once_more_from_the_beginning" "$work/again"
     diff -r "$work/files" "$work/again" || stop "cmake/run: the files above differ when they are made again"
     echo "Made twice in two folders, with the same bits."
   fi
