@@ -20,6 +20,7 @@ all_steps=(
   "test --layer all"
   "page --check"
   "package --check"
+  "release --check HEAD"
   "test --preset asan"
   "test --preset tsan"
   "test --preset clang"
