@@ -175,11 +175,11 @@ void declare_single(Suite& suite, const Workload& workload) {
     const std::span<const Vec3> corners = of.views[i].points();
     return between_polygons(corners.first(4), corners.subspan(4));
   });
-  for (const std::size_t count : {8, 32}) {
+  for (const std::size_t count : {std::size_t{8}, std::size_t{32}}) {
     add("form/hull_" + std::to_string(count), 1,
         [count](const Single& of, std::size_t i) { return ConvexHull(std::span(of.points).subspan(32 * i, count)); });
   }
-  for (const std::size_t count : {8, 32}) {
+  for (const std::size_t count : {std::size_t{8}, std::size_t{32}}) {
     add("form/inscribed_box_" + std::to_string(count), 1, [count](const Single& of, std::size_t i) {
       return inscribed_box(std::span(of.points).subspan(32 * i, count));
     });
