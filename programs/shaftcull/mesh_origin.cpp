@@ -55,15 +55,17 @@ std::optional<VertexPlaces> places_in_ply(std::string_view bytes) {
   VertexPlaces places;
   std::size_t elements = 0;
   std::size_t columns = 0;
-  std::size_t found = 0;
+  unsigned found = 0;  // bit k: coordinate k
   bool are_doubles = true;
+  bool has_ended = false;
   Words words;
-  while (!bytes.empty()) {
+  while (!bytes.empty() && !has_ended) {
     split(take_line(bytes), words);
     ++places.first;
     if (words.empty()) continue;
-    if (words[0] == "end_header") break;
+    has_ended = words[0] == "end_header";
     if (words[0] == "format" && words.size() > 1) {
+      if (elements != 0) return {};
       places.is_text = words[1] == "ascii";
       places.is_big_endian = words[1] == "binary_big_endian";
     } else if (words[0] == "element" && words.size() == 3) {
@@ -76,15 +78,16 @@ std::optional<VertexPlaces> places_in_ply(std::string_view bytes) {
       if (size == 0) return {};
       const std::size_t axis = words[2].size() == 1 ? std::size_t(words[2][0]) - 'x' : 3;
       if (axis < 3) {
+        if ((found >> axis & 1U) != 0) return {};
         places.place[axis] = places.is_text ? columns : places.stride;
         are_doubles = are_doubles && size == 8;
-        ++found;
+        found |= 1U << axis;
       }
       ++columns;
       places.stride += size;
     }
   }
-  if (found != 3 || places.count == 0) return {};
+  if (!has_ended || found != 7 || places.count == 0) return {};
   if (places.is_text) return places;
   places.first = whole.size() - bytes.size();
   if (!are_doubles || bytes.size() / places.stride < places.count) return {};

@@ -174,6 +174,8 @@ TEST_F(CliMeshImport, WithoutAnOriginVerticesThatOnlyTheReaderKnowsAreLeftToIt) 
   EXPECT_FALSE(relative(ply_on_map, "property uchar red", "property list uchar int red"));
   EXPECT_FALSE(relative(ply_on_map, "element vertex 3", "element other 0\nelement vertex 3"));
   EXPECT_FALSE(relative(ply_on_map, "9 4512345.125 0 0", "9 nan 0 0"));
+  EXPECT_FALSE(relative(ply_on_map, "double y", "double x"));
+  EXPECT_FALSE(relative(ply_on_map, "end_header", "end_headers"));
   EXPECT_FALSE(relative(stl_on_map, "vertex 4512345.125 0 0", "vertex 4512345.125 0"));
   const Outcome refused = run_program(
       {"cull",
