@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: MIT
 /// `shaftcull batch`: what do very many shafts keep of very many bounds?
-#include <cmath>
 #include <initializer_list>
 #include <limits>
 #include <map>
 #include <memory>
-#include <vector>
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "batch_job.hpp"
 #include "instruction_set.hpp"
 #include "number.hpp"
+#include "origin_option.hpp"
 #include "shaftcull/error.hpp"
 #include "subcommand.hpp"
 #include "workers.hpp"
@@ -22,7 +18,7 @@ namespace {
 
 struct BatchOptions {
   batch::Job job;
-  std::vector<double> origin;
+  OriginOption origin;
   std::uint64_t megabytes = 0;
   int threads = 0;
   InstructionSet isa;
@@ -75,12 +71,8 @@ void add_batch(CLI::App& program) {
   add_choice<Contact>(batch, "--contact", job.question.contact, {{"closed", Contact::closed}, {"open", Contact::open}},
                       "Bounds that only touch a shaft: closed keeps them, open does not (default: closed)")
       ->type_name("CONTACT");
-  batch
-      .add_option("--origin", options->origin,
-                  "Subtract this point from arrays of float64 before they are rounded to floats (default: 0,0,0)")
-      ->type_name("X,Y,Z")
-      ->delimiter(',')
-      ->expected(3);
+  options->origin.add_option(
+      batch, "Subtract this point from arrays of float64 before they are rounded to floats (default: 0,0,0)");
   batch.add_option("--out", job.out, "The HDF5 file to write; FILE.parts/ holds partial results until it is complete")
       ->type_name("FILE");
   add_number(batch, "--memory", options->megabytes, 1, std::numeric_limits<std::uint64_t>::max() >> 20,
@@ -109,12 +101,7 @@ void add_batch(CLI::App& program) {
   batch.callback([options] {
     batch::Job& wanted = options->job;
     wanted.memory = options->megabytes << 20;
-    const std::vector<double>& origin = options->origin;
-    for (const double x : origin) {
-      if (!std::isfinite(x))
-        throw InvalidArgument(fmt::format("--origin {}: give finite numbers", fmt::join(origin, ",")));
-    }
-    if (!origin.empty()) wanted.origin = Origin({origin[0], origin[1], origin[2]});
+    if (options->origin.value()) wanted.origin = Origin(*options->origin.value());
     run_batch_job(wanted, options->threads, [&] {
       if (wanted.bounds.empty()) throw InvalidArgument("batch: no bounds are given; add --bounds ARRAY");
       if (wanted.shafts.empty()) throw InvalidArgument("batch: no shafts are given; add --shafts ARRAY");

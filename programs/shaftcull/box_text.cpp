@@ -129,6 +129,10 @@ Vec3 vector_option(std::string_view option, std::string_view text, std::string_v
   return any_vector<float>(option, text, noun);
 }
 
+WorldVec3 world_point_option(std::string_view option, std::string_view text, std::string_view noun) {
+  return any_vector<double>(option, text, noun);
+}
+
 std::vector<Vec3> corners_option(std::string_view option, std::string_view text) {
   return any_corners<Box, float>(option, text);
 }
@@ -145,8 +149,19 @@ std::string to_text(const Vec3& vector) { return fmt::format("{},{},{}", vector[
 
 double shortest(float value) { return parse_number<double>(fmt::format("{}", value)).value; }
 
+double shortest(float value, double origin) {
+  if (origin == 0) return shortest(value);
+  const double exact = double{value} + origin;
+  constexpr int most_digits = 17;
+  for (int digits = 1; digits < most_digits; ++digits) {
+    const double rounded = parse_number<double>(fmt::format("{:.{}g}", exact, digits)).value;
+    if (static_cast<float>(rounded - origin) == value) return rounded;
+  }
+  return exact;
+}
+
 std::string to_text(const Box& box, const WorldVec3& origin) {
-  const auto in_world = [&](const Vec3& corner, std::size_t axis) { return shortest(corner[axis]) + origin[axis]; };
+  const auto in_world = [&](const Vec3& corner, std::size_t axis) { return shortest(corner[axis], origin[axis]); };
   return fmt::format("{},{},{},{},{},{}", in_world(box.lo, 0), in_world(box.lo, 1), in_world(box.lo, 2),
                      in_world(box.hi, 0), in_world(box.hi, 1), in_world(box.hi, 2));
 }

@@ -17,16 +17,19 @@ namespace shaftcull::cli {
 /// The box that `text` spells. Throws InvalidArgument, naming the option and what is wrong, unless it is six finite
 /// numbers with lo ≤ hi.
 [[nodiscard]] Box box_option(std::string_view option, std::string_view text);
-/// The same with all digits, for Origin::around().
+/// The same with all digits.
 [[nodiscard]] WorldBox world_box_option(std::string_view option, std::string_view text);
 
 /// The vector that `text` spells. Throws InvalidArgument, naming the option, what the vector is ("a displacement") and
 /// what is wrong, unless it is three finite numbers.
 [[nodiscard]] Vec3 vector_option(std::string_view option, std::string_view text, std::string_view noun);
 
+/// The same with all digits.
+[[nodiscard]] WorldVec3 world_point_option(std::string_view option, std::string_view text, std::string_view noun);
+
 /// The point that `text` spells in three numbers, or the eight corners of the box that it spells in six.
 [[nodiscard]] std::vector<Vec3> corners_option(std::string_view option, std::string_view text);
-/// The same with all digits, for Origin::nearest().
+/// The same with all digits.
 [[nodiscard]] std::vector<WorldVec3> world_corners_option(std::string_view option, std::string_view text);
 
 [[nodiscard]] std::string to_text(const Box& box);
@@ -34,6 +37,8 @@ namespace shaftcull::cli {
 
 /// The number with the fewest digits that is `value` as a float: 0.1, not 0.10000000149.
 [[nodiscard]] double shortest(float value);
+/// The number with the fewest digits that is `value` as a float relative to the origin.
+[[nodiscard]] double shortest(float value, double origin);
 /// The box where it is in the world, as text.
 [[nodiscard]] std::string to_text(const Box& box, const WorldVec3& origin);
 

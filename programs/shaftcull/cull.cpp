@@ -77,7 +77,9 @@ ShaftEnd end_from_option(const MeshScene& scene, const std::string& path, std::s
   }
   if (looks_like_box(text)) {
     const Origin origin(scene.origin);
-    return {origin == Origin() ? box_option(option, text) : origin.around(world_box_option(option, text)), text};
+    if (origin == Origin()) return {box_option(option, text), text};
+    const WorldBox box = world_box_option(option, text);  // to the nearest floats, as vertices of the file
+    return {box_option(option, to_text(Box{origin.nearest(box.lo), origin.nearest(box.hi)})), text};
   }
   throw InvalidArgument(
       fmt::format("{} {}: {} has no object of that name; {} (or give a box: lo x,lo y,lo z,hi x,hi y,hi z)", option,
@@ -323,7 +325,7 @@ void add_cull(CLI::App& program) {
       ->excludes(times)
       ->excludes(first);
   options->choice.add_hull_options(cull, std::array{from, to, random, solid, times, first});
-  options->origin.add_option(cull);
+  options->origin.add_option(cull, origin_of_meshes);
   options->isa.add_option(cull);
   cull.footer(
       "By default, the shaft lies between two ends. With --swept, it is the volume that --from sweeps over;\n"

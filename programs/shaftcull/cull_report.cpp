@@ -134,7 +134,7 @@ Json as_json(const Vec3& vector) {
 /// Where the point is in the file.
 Json as_json(const Vec3& point, const WorldPoint& origin) {
   Json json = Json::array();
-  for (std::size_t axis = 0; axis < 3; ++axis) json.push_back(shortest(point[axis]) + origin[axis]);
+  for (std::size_t axis = 0; axis < 3; ++axis) json.push_back(shortest(point[axis], origin[axis]));
   return json;
 }
 

@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <istream>
 #include <iterator>
+#include <sstream>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -60,16 +63,16 @@ std::string bytes_of(const std::string& path, const std::string& name) {
   throw InvalidArgument(fmt::format("{}: the file is broken: its PLY header has no end_header line", name));
 }
 
-/// assimp's PLY reader looks for this line for ever.
-void require_complete_ply_header(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
+/// assimp's PLY reader looks for the line end_header for ever.
+void require_complete_ply_header(std::istream& file, const std::string& name) {
+  const auto without_end = [](std::string_view line) { return line.substr(0, line.find_last_not_of(" \t\r") + 1); };
   std::string line;
   std::getline(file, line);
-  if (line != "ply" && line != "ply\r") return;
+  if (without_end(line) != "ply") return;
   while (std::getline(file, line)) {
-    if (line.starts_with("end_header")) return;
+    if (without_end(line) == "end_header") return;
   }
-  refuse_endless_header(path);
+  refuse_endless_header(name);
 }
 
 /// Why assimp reads no scene from the file. It takes files of unknown formats for such as it knows.
@@ -109,29 +112,68 @@ std::string ending_of_name(const std::string& path) {
   return ending.empty() ? ending : ending.substr(1);
 }
 
-/// Makes coordinates relative to the given origin, or to one that is chosen. Returns what was subtracted: 0 where
-/// floats have all digits of the file.
-WorldPoint move(std::string& bytes, std::string_view ending, const std::string& name,
-                const std::optional<WorldPoint>& origin) {
+/// What was subtracted from the coordinates of a file: 0 where floats have all digits of it.
+struct Moved {
+  WorldPoint by{};
+  VertexExtent to{};  ///< where the vertices are then
+
+  [[nodiscard]] bool is_moved() const { return by != WorldPoint{}; }
+};
+
+/// Makes coordinates relative to the given origin, or to one that is chosen.
+Moved move(std::string& bytes, std::string_view ending, const std::string& name,
+           const std::optional<WorldPoint>& origin) {
   const std::optional<VertexPlaces> places = vertex_places(bytes, ending);
   if (!places) return {};
-  const WorldPoint subtracted = origin ? *origin : origin_of(bytes, *places).value_or(WorldPoint{});
-  if (subtracted != WorldPoint{}) bytes = relative_to(subtracted, bytes, *places, name);
-  return subtracted;
+  const std::optional<VertexExtent> extent = extent_of(bytes, *places);
+  if (!extent && !places->is_text) return {};
+  Moved moved;
+  if (origin) moved.by = *origin;
+  if (!origin && extent) moved.by = origin_of(*extent).value_or(WorldPoint{});
+  if (!moved.is_moved()) return {};
+  bytes = relative_to(moved.by, bytes, *places, name);  // throws for text without an extent
+  if (extent->lo[0] > extent->hi[0]) return {};         // no vertex at all
+  for (std::size_t k = 0; k != 3; ++k) {
+    moved.to.lo[k] = extent->lo[k] - moved.by[k];
+    moved.to.hi[k] = extent->hi[k] - moved.by[k];
+  }
+  return moved;
+}
+
+/// Throws if assimp has found a vertex elsewhere than where all of them were moved.
+void require_moved(const aiScene& scene, const Moved& moved, const std::string& name) {
+  double longest = 0;
+  for (std::size_t k = 0; k != 3; ++k) longest = std::max(longest, moved.to.hi[k] - moved.to.lo[k]);
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+    for (unsigned v = 0; v < scene.mMeshes[m]->mNumVertices; ++v) {
+      const aiVector3D& vertex = scene.mMeshes[m]->mVertices[v];
+      for (unsigned k = 0; k != 3; ++k) {
+        const double x = vertex[k];
+        const double room = 1e-3 * longest + 1e-6 * std::abs(x);
+        if (!(x < moved.to.lo[k] - room || x > moved.to.hi[k] + room)) continue;
+        throw InvalidArgument(fmt::format(
+            "{}: assimp finds vertices where there are none, so not all are relative to the origin {}; --origin 0,0,0 "
+            "reads the file as it is",
+            name, fmt::join(moved.by, ",")));
+      }
+    }
+  }
 }
 
 /// Returns what was subtracted.
 WorldPoint read_file(Assimp::Importer& importer, const std::string& path, const std::optional<WorldPoint>& origin) {
-  require_complete_ply_header(path);
-  WorldPoint subtracted{};
+  std::ifstream header(path, std::ios::binary);
+  require_complete_ply_header(header, path);
+  Moved moved;
   const std::string ending = ending_of_name(path);
   if (origin != WorldPoint{} && (ending == "obj" || ending == "stl" || ending == "ply")) {
     std::string bytes = bytes_of(path, path);
-    subtracted = move(bytes, ending, path, origin);
-    if (subtracted != WorldPoint{}) importer.SetIOHandler(new OneFileReplaced(path, std::move(bytes)));  // it owns that
+    moved = move(bytes, ending, path, origin);
+    if (moved.is_moved()) importer.SetIOHandler(new OneFileReplaced(path, std::move(bytes)));  // it owns that
   }
   if (importer.ReadFile(path, steps) == nullptr) throw InvalidArgument(refusal_of(path, importer));
-  return subtracted;
+  if (moved.is_moved()) require_moved(*importer.GetScene(), moved, path);
+  return moved.by;
 }
 
 WorldPoint read_stream(Assimp::Importer& importer, const std::string& path, const std::string& name,
@@ -144,13 +186,15 @@ WorldPoint read_stream(Assimp::Importer& importer, const std::string& path, cons
                     "the extension of its format, and give that file",
                     name));
   }
-  if (ending == "ply" && bytes.find("end_header") == std::string::npos) refuse_endless_header(name);
-  const WorldPoint subtracted = origin == WorldPoint{} ? WorldPoint{} : move(bytes, ending, name, origin);
+  std::istringstream header(bytes);
+  require_complete_ply_header(header, name);
+  const Moved moved = origin == WorldPoint{} ? Moved{} : move(bytes, ending, name, origin);
   if (importer.ReadFileFromMemory(bytes.data(), bytes.size(), steps, ending.c_str()) == nullptr) {
     throw InvalidArgument(fmt::format("{}: begins like a file of format {}, but is broken; assimp reports: {}", name,
                                       ending, importer.GetErrorString()));
   }
-  return subtracted;
+  if (moved.is_moved()) require_moved(*importer.GetScene(), moved, name);
+  return moved.by;
 }
 
 /// In IFC files z points up. assimp's reader turns it to y by a matrix of rounded numbers, which tilts all walls by

@@ -49,6 +49,10 @@ std::size_t size_of(std::string_view type) {
   return type == "double" || type == "float64" ? 8 : 0;
 }
 
+bool is_real(std::string_view type) {
+  return type == "float" || type == "float32" || type == "double" || type == "float64";
+}
+
 /// Where vertices are, if they come first in the file and have no lists.
 std::optional<VertexPlaces> places_in_ply(std::string_view bytes) {
   const std::string_view whole = bytes;
@@ -68,6 +72,7 @@ std::optional<VertexPlaces> places_in_ply(std::string_view bytes) {
       if (elements != 0) return {};
       places.is_text = words[1] == "ascii";
       places.is_big_endian = words[1] == "binary_big_endian";
+      if (!places.is_text && !places.is_big_endian && words[1] != "binary_little_endian") return {};
     } else if (words[0] == "element" && words.size() == 3) {
       if (++elements > 1) continue;
       const auto [count, error] = parse_number<std::size_t>(words[2]);
@@ -78,7 +83,7 @@ std::optional<VertexPlaces> places_in_ply(std::string_view bytes) {
       if (size == 0) return {};
       const std::size_t axis = words[2].size() == 1 ? std::size_t(words[2][0]) - 'x' : 3;
       if (axis < 3) {
-        if ((found >> axis & 1U) != 0) return {};
+        if ((found >> axis & 1U) != 0 || !is_real(words[1])) return {};
         places.place[axis] = places.is_text ? columns : places.stride;
         are_doubles = are_doubles && size == 8;
         found |= 1U << axis;
@@ -94,8 +99,13 @@ std::optional<VertexPlaces> places_in_ply(std::string_view bytes) {
   return places;
 }
 
-/// A single number behind the coordinates of an OBJ file is a weight, which they are divided by.
-bool has_weight(const Words& words) { return words.size() == 5 && parse_number<double>(words[4]).value != 1; }
+/// Whether a vertex of an OBJ file has three numbers and no more, or three of a colour, or a weight of 1. Coordinates
+/// are divided by another weight.
+bool has_no_weight(const Words& words) {
+  std::size_t numbers = 0;
+  while (numbers + 1 < words.size() && parse_number<double>(words[numbers + 1]).error == std::errc()) ++numbers;
+  return numbers == 3 || numbers == 6 || (numbers == 4 && parse_number<double>(words[4]).value == 1);
+}
 
 /// Nothing for a line that is not three finite numbers, or goes on in the next one, or has a weight.
 std::optional<WorldPoint> vertex_in(const Words& words, const VertexPlaces& places) {
@@ -106,7 +116,7 @@ std::optional<WorldPoint> vertex_in(const Words& words, const VertexPlaces& plac
     if (error != std::errc() || !std::isfinite(number)) return {};
     vertex[k] = number;
   }
-  if (places.keyword == "v" && (has_weight(words) || words.back().ends_with('\\'))) return {};
+  if (places.keyword == "v" && (!has_no_weight(words) || words.back().ends_with('\\'))) return {};
   return vertex;
 }
 
@@ -118,8 +128,9 @@ bool each_line(std::string_view bytes, const VertexPlaces& places, const IsVerte
   for (std::size_t number = 0; !bytes.empty(); ++number) {
     const std::string_view line = take_line(bytes);
     split(line, words);
-    const bool is_one =
-        places.keyword.empty() ? number - places.first < places.count : !words.empty() && words[0] == places.keyword;
+    // To assimp, a keyword behind a blank is none in OBJ files.
+    const bool has_keyword = !words.empty() && words[0] == places.keyword && (words[0] != "v" || line[0] == 'v');
+    const bool is_one = places.keyword.empty() ? number - places.first < places.count : has_keyword;
     if (!is_one) {
       is_other(line);
     } else if (!is_vertex(words, line, number)) {
@@ -142,28 +153,56 @@ void put_number(char* to, bool is_big_endian, double number) {
   std::memcpy(to, bytes.data(), bytes.size());
 }
 
-/// The box around vertices, which grows.
-struct Extent {
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-  WorldPoint lo{infinity, infinity, infinity};
-  WorldPoint hi{-infinity, -infinity, -infinity};
+void add(VertexExtent& extent, std::size_t k, double x) {
+  extent.lo[k] = std::min(extent.lo[k], x);
+  extent.hi[k] = std::max(extent.hi[k], x);
+}
 
-  void add(std::size_t k, double x) {
-    lo[k] = std::min(lo[k], x);
-    hi[k] = std::max(hi[k], x);
+/// Whether lines end as those of Unix or Windows, and nothing else in the text ends a line for assimp.
+bool has_usual_lines(std::string_view text) {
+  constexpr std::string_view odd("\0\f\v", 3);
+  if (text.find_first_of(odd) != std::string_view::npos) return false;
+  for (std::size_t at = 0; (at = text.find('\r', at)) != std::string_view::npos; ++at) {
+    if (at + 1 == text.size() || text[at + 1] != '\n') return false;
   }
-};
+  return true;
+}
 
-/// Nothing if a vertex cannot be read.
-std::optional<Extent> extent_of(std::string_view bytes, const VertexPlaces& places) {
-  Extent extent;
+/// Whether each vertex of an STL file of text is a line of its own. To assimp all blanks are alike.
+bool has_vertices_in_lines(std::string_view text) {
+  Words words;
+  while (!text.empty()) {
+    split(take_line(text), words);
+    if (words.empty() || words[0] == "solid" || words[0] == "endsolid") continue;
+    const auto found = std::find(words.begin(), words.end(), "vertex");
+    if (found != words.end() && (found != words.begin() || words.size() != 4)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<VertexPlaces> vertex_places(std::string_view bytes, std::string_view ending) {
+  std::optional<VertexPlaces> places;
+  if (ending == "obj") places = VertexPlaces{.keyword = "v", .place = {1, 2, 3}};
+  if (ending == "stl" && !is_binary_stl(bytes) && has_vertices_in_lines(bytes)) {
+    places = VertexPlaces{.keyword = "vertex", .place = {1, 2, 3}};
+  }
+  if (ending == "ply") places = places_in_ply(bytes);
+  if (places && places->is_text && !has_usual_lines(bytes)) return {};
+  return places;
+}
+
+std::optional<VertexExtent> extent_of(std::string_view bytes, const VertexPlaces& places) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  VertexExtent extent{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
   if (places.is_text) {
-    const auto add = [&](const Words& words, std::string_view /*line*/, std::size_t /*number*/) {
+    const auto take = [&](const Words& words, std::string_view /*line*/, std::size_t /*number*/) {
       const std::optional<WorldPoint> vertex = vertex_in(words, places);
-      for (std::size_t k = 0; vertex && k != 3; ++k) extent.add(k, (*vertex)[k]);
+      for (std::size_t k = 0; vertex && k != 3; ++k) add(extent, k, (*vertex)[k]);
       return vertex.has_value();
     };
-    if (!each_line(bytes, places, add, [](std::string_view) {})) return {};
+    if (!each_line(bytes, places, take, [](std::string_view) {})) return {};
     return extent;
   }
   for (std::size_t i = 0; i != places.count; ++i) {
@@ -171,43 +210,37 @@ std::optional<Extent> extent_of(std::string_view bytes, const VertexPlaces& plac
     for (std::size_t k = 0; k != 3; ++k) {
       const double x = number_at(vertex + places.place[k], places.is_big_endian);
       if (!std::isfinite(x)) return {};
-      extent.add(k, x);
+      add(extent, k, x);
     }
   }
   return extent;
 }
 
-}  // namespace
-
-std::optional<VertexPlaces> vertex_places(std::string_view bytes, std::string_view ending) {
-  if (ending == "obj") return VertexPlaces{.keyword = "v", .place = {1, 2, 3}};
-  if (ending == "stl" && !is_binary_stl(bytes)) return VertexPlaces{.keyword = "vertex", .place = {1, 2, 3}};
-  if (ending == "ply") return places_in_ply(bytes);
-  return {};
-}
-
-std::optional<WorldPoint> origin_of(std::string_view bytes, const VertexPlaces& places) {
-  const std::optional<Extent> extent = extent_of(bytes, places);
-  if (!extent) return {};
+std::optional<WorldPoint> origin_of(const VertexExtent& extent) {
   double largest = 0;
   double longest = 0;
   for (std::size_t k = 0; k != 3; ++k) {
-    largest = std::max({largest, std::abs(extent->lo[k]), std::abs(extent->hi[k])});
-    longest = std::max(longest, extent->hi[k] - extent->lo[k]);
+    largest = std::max({largest, std::abs(extent.lo[k]), std::abs(extent.hi[k])});
+    longest = std::max(longest, extent.hi[k] - extent.lo[k]);
   }
   constexpr double gain = 8;  // in steps of floats, at half the length
   if (!(longest > 0) || !std::isfinite(largest) || largest < gain * longest / 2) return {};
   WorldPoint origin{};
-  for (std::size_t k = 0; k != 3; ++k) origin[k] = std::round(0.5 * extent->lo[k] + 0.5 * extent->hi[k]);
+  for (std::size_t k = 0; k != 3; ++k) origin[k] = std::round(0.5 * extent.lo[k] + 0.5 * extent.hi[k]);
   return origin;
 }
 
 std::string relative_to(const WorldPoint& origin, std::string_view bytes, const VertexPlaces& places,
                         const std::string& name) {
   if (!places.is_text) {
-    std::string relative(bytes);
+    // assimp takes a first byte of 10 for a part of the header, unless that ends as lines of Windows do.
+    std::string relative(bytes.substr(0, places.first));
+    while (relative.ends_with('\n') || relative.ends_with('\r')) relative.pop_back();
+    relative += "\r\n";
+    const std::size_t first = relative.size();
+    relative.append(bytes.substr(places.first));
     for (std::size_t i = 0; i != places.count; ++i) {
-      char* const vertex = relative.data() + places.first + i * places.stride;
+      char* const vertex = relative.data() + first + i * places.stride;
       for (std::size_t k = 0; k != 3; ++k) {
         char* const at = vertex + places.place[k];
         put_number(at, places.is_big_endian, number_at(at, places.is_big_endian) - origin[k]);

@@ -25,12 +25,20 @@ struct VertexPlaces {
 };
 
 /// Returns nothing if the coordinates are floats already, or if only assimp reads the file. `ending` says which format
-/// the file has: "obj", "stl", "ply" or another.
+/// the file has: "obj", "stl", "ply" or another. assimp divides text in more ways than into lines: files in which that
+/// matters are left to it.
 [[nodiscard]] std::optional<VertexPlaces> vertex_places(std::string_view bytes, std::string_view ending);
 
+/// The box around the vertices; nothing if one of them cannot be read here.
+struct VertexExtent {
+  WorldPoint lo;
+  WorldPoint hi;
+};
+[[nodiscard]] std::optional<VertexExtent> extent_of(std::string_view bytes, const VertexPlaces& places);
+
 /// A whole number on each axis near the middle of the vertices, if they are so far from 0 that floats near the middle
-/// are eight times as fine. Otherwise nothing, and nothing if a vertex cannot be read here.
-[[nodiscard]] std::optional<WorldPoint> origin_of(std::string_view bytes, const VertexPlaces& places);
+/// are eight times as fine. Otherwise nothing.
+[[nodiscard]] std::optional<WorldPoint> origin_of(const VertexExtent& extent);
 
 /// The same file with its vertices relative to an origin: coordinates are read and subtracted in doubles, and written
 /// with all digits. Throws InvalidArgument, naming the line of the file that is called `name`, for a vertex that is not

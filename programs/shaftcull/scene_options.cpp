@@ -25,7 +25,7 @@ void SceneOptions::add(CLI::App& subcommand, const std::string& patches) {
   add_number(subcommand, "--scale", choice.scale, 1e-9, 1e9,
              "Multiply coordinates by this, for example 0.001 for a file in millimetres")
       ->type_name("FACTOR");
-  origin.add_option(subcommand)->excludes(made);
+  origin.add_option(subcommand, origin_of_meshes)->excludes(made);
   add_number(subcommand, "--patches", choice.patch_size, 1e-30, 1e30, patches)->type_name("SIZE");
   subcommand.add_flag("--flip", choice.flip,
                       "Patches see on their back side, for files with normals that point the wrong way");

@@ -298,6 +298,24 @@ TEST_F(CliCull, ListsAFileInMapCoordinatesAsTheSameFileAtZero) {
   EXPECT_THAT(refusal_of({"cull", map, "--random", "1", "--origin", "1,2,inf"}), HasSubstr("give finite numbers"));
 }
 
+TEST_F(CliCull, TakesAndPrintsDecimalsOfMapCoordinatesAsTheyAreInTheFile) {
+  // The floor's 0.1 is rounded, and so is that of the ends which stand on it: they touch.
+  const auto slab = [](const char* name, const char* lo, const char* hi, int first) {
+    const std::string z[2] = {lo, hi};
+    std::string obj = std::string("o ") + name + '\n';
+    for (int v = 0; v != 3; ++v) {
+      obj += "v " + std::string(v == 1 ? "4512355.38" : "4512345.38") + (v == 2 ? " 10" : " 0") + ' ' + z[v / 2] + '\n';
+    }
+    return obj + "f " + std::to_string(first) + ' ' + std::to_string(first + 1) + ' ' + std::to_string(first + 2) +
+           '\n';
+  };
+  const std::string file = folder_.write("floor.obj", slab("floor", "0", "0.1", 1) + slab("lid", "3", "3.3", 4));
+  const std::vector<std::string> ends{
+      "cull", file, "--from", "4512346,1,0.1,4512347,2,1.1", "--to", "4512353,8,0.1,4512354,9,1.1", "--format", "csv"};
+  EXPECT_THAT(output_of(ends), HasSubstr(",floor,,overlap,4512345.38,0,0,4512355.38,10,0.1\n"));
+  EXPECT_THAT(output_of(with(ends, {"--contact", "open"})), Not(HasSubstr("floor")));
+}
+
 TEST_F(CliCull, DrawsTheSameRandomPairsForTheSameSeed) {
   const std::vector<std::string> arguments{"--random", "7", "--seed", "3", "--format", "json"};
   const Outcome first = cull(arguments);
