@@ -14,6 +14,7 @@
 #include "support/fail.hpp"
 #include "support/float_environment.hpp"
 #include "support/padding.hpp"
+#include "support/text.hpp"
 
 namespace shaftcull {
 namespace {
@@ -163,7 +164,11 @@ void convert_all(std::span<const From> from, std::span<To> to, const char* what,
 }  // namespace
 
 Origin::Origin(const WorldVec3& at) : at_(at) {
-  if (!is_finite(at)) kernel::fail(InvalidArgument("Origin: a coordinate is not finite"));
+  for (std::size_t k = 0; k != 3; ++k) {
+    if (std::isfinite(at[k])) continue;
+    const std::string value = kernel::text(static_cast<float>(at[k]));  // an infinity or NaN, which stays one
+    kernel::fail(InvalidArgument(std::string("Origin: at.") + "xyz"[k] + " = " + value + " is not finite"));
+  }
 }
 
 Origin Origin::near(const WorldBox& world) {

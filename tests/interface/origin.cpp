@@ -248,6 +248,7 @@ TEST(Origin, PlanesThatFloatsCannotHoldAreRefused) {
               }),
               HasSubstr("farther away than the largest float"));
   EXPECT_THAT(message_of([&] { (void)origin.around(WorldPlane{{infinite, 0, 0}, 1}, box); }), HasSubstr("not finite"));
+  EXPECT_EQ(message_of([&] { (void)Origin({0, -infinite, 0}); }), "Origin: at.y = -inf is not finite");
   EXPECT_THAT(message_of([&] {
                 (void)origin.around(WorldPlane{{1, 0, 0}, 1}, {{1, 0, 0}, {0, 1, 1}});
               }),
