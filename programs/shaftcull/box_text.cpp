@@ -121,8 +121,12 @@ bool looks_like_box(std::string_view text) {
 
 Box box_option(std::string_view option, std::string_view text) { return any_box<Box, float>(option, text); }
 
-WorldBox world_box_option(std::string_view option, std::string_view text) {
-  return any_box<WorldBox, double>(option, text);
+Box box_option(std::string_view option, std::string_view text, const Origin& origin) {
+  if (origin == Origin()) return box_option(option, text);
+  const WorldBox world = any_box<WorldBox, double>(option, text);
+  const Box box{origin.nearest(world.lo), origin.nearest(world.hi)};
+  require_box(box, fmt::format("{} {}, relative to {}", option, text, fmt::join(origin.at(), ",")));
+  return box;
 }
 
 Vec3 vector_option(std::string_view option, std::string_view text, std::string_view noun) {
@@ -137,8 +141,14 @@ std::vector<Vec3> corners_option(std::string_view option, std::string_view text)
   return any_corners<Box, float>(option, text);
 }
 
-std::vector<WorldVec3> world_corners_option(std::string_view option, std::string_view text) {
-  return any_corners<WorldBox, double>(option, text);
+std::vector<Vec3> corners_option(std::string_view option, std::string_view text, const Origin& origin) {
+  if (origin == Origin()) return corners_option(option, text);
+  std::vector<Vec3> corners;
+  for (const WorldVec3& corner : any_corners<WorldBox, double>(option, text)) {
+    corners.push_back(origin.nearest(corner));
+    require_finite(corners.back(), fmt::format("{} {}, relative to {}", option, text, fmt::join(origin.at(), ",")));
+  }
+  return corners;
 }
 
 std::string to_text(const Box& box) {

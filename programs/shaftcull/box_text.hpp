@@ -17,8 +17,8 @@ namespace shaftcull::cli {
 /// The box that `text` spells. Throws InvalidArgument, naming the option and what is wrong, unless it is six finite
 /// numbers with lo ≤ hi.
 [[nodiscard]] Box box_option(std::string_view option, std::string_view text);
-/// The same with all digits.
-[[nodiscard]] WorldBox world_box_option(std::string_view option, std::string_view text);
+/// The same relative to an origin: corners are read in doubles, and rounded to the nearest floats, as vertices are.
+[[nodiscard]] Box box_option(std::string_view option, std::string_view text, const Origin& origin);
 
 /// The vector that `text` spells. Throws InvalidArgument, naming the option, what the vector is ("a displacement") and
 /// what is wrong, unless it is three finite numbers.
@@ -29,8 +29,8 @@ namespace shaftcull::cli {
 
 /// The point that `text` spells in three numbers, or the eight corners of the box that it spells in six.
 [[nodiscard]] std::vector<Vec3> corners_option(std::string_view option, std::string_view text);
-/// The same with all digits.
-[[nodiscard]] std::vector<WorldVec3> world_corners_option(std::string_view option, std::string_view text);
+/// The same relative to an origin, in the same way.
+[[nodiscard]] std::vector<Vec3> corners_option(std::string_view option, std::string_view text, const Origin& origin);
 
 [[nodiscard]] std::string to_text(const Box& box);
 [[nodiscard]] std::string to_text(const Vec3& vector);

@@ -75,12 +75,7 @@ ShaftEnd end_from_option(const MeshScene& scene, const std::string& path, std::s
   for (std::uint32_t i = 0; i < scene.parts.size(); ++i) {
     if (part_name(scene, scene.parts[i]) == text) return part_end(scene, i);
   }
-  if (looks_like_box(text)) {
-    const Origin origin(scene.origin);
-    if (origin == Origin()) return {box_option(option, text), text};
-    const WorldBox box = world_box_option(option, text);  // to the nearest floats, as vertices of the file
-    return {box_option(option, to_text(Box{origin.nearest(box.lo), origin.nearest(box.hi)})), text};
-  }
+  if (looks_like_box(text)) return {box_option(option, text, Origin(scene.origin)), text};
   throw InvalidArgument(
       fmt::format("{} {}: {} has no object of that name; {} (or give a box: lo x,lo y,lo z,hi x,hi y,hi z)", option,
                   text, path, names_of_ends(text, scene)));

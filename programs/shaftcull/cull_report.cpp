@@ -125,18 +125,14 @@ std::string as_csv(const CullReport& report) {
   return text;
 }
 
-Json as_json(const Vec3& vector) {
-  Json json = Json::array();
-  for (const float x : vector) json.push_back(shortest(x));
-  return json;
-}
-
 /// Where the point is in the file.
 Json as_json(const Vec3& point, const WorldPoint& origin) {
   Json json = Json::array();
   for (std::size_t axis = 0; axis < 3; ++axis) json.push_back(shortest(point[axis], origin[axis]));
   return json;
 }
+
+Json as_json(const Vec3& vector) { return as_json(vector, WorldPoint{}); }
 
 Json as_json(const Box& box, const WorldPoint& origin) {
   return Json{{"lo", as_json(box.lo, origin)}, {"hi", as_json(box.hi, origin)}};

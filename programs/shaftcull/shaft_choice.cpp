@@ -97,7 +97,8 @@ void ShaftChoice::set_origin(const Origin& origin) {
   if (origin == Origin()) return;
   points_.clear();
   for (const std::string& text : hull_) {
-    for (const WorldVec3& corner : world_corners_option("--hull", text)) points_.push_back(origin.nearest(corner));
+    const std::vector<Vec3> corners = corners_option("--hull", text, origin);
+    points_.insert(points_.end(), corners.begin(), corners.end());
   }
 }
 

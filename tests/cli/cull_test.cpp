@@ -296,6 +296,10 @@ TEST_F(CliCull, ListsAFileInMapCoordinatesAsTheSameFileAtZero) {
   EXPECT_THAT(listed({"--from", "left", "--to", "right", "--origin", "0,0,0"}),
               HasSubstr("small,,inside,4512349.5,-0.625"));
   EXPECT_THAT(refusal_of({"cull", map, "--random", "1", "--origin", "1,2,inf"}), HasSubstr("give finite numbers"));
+  EXPECT_THAT(refusal_of({"cull", map, "--hull", "1e300,0,0", "1,1,1,2,2,2"}),
+              HasSubstr("--hull 1e300,0,0: '1e300' is out of range for a float"));
+  EXPECT_THAT(refusal_of({"cull", map, "--from", "1,1,1,1e300,2,2", "--to", "left"}),
+              HasSubstr("--from 1,1,1,1e300,2,2, relative to 4512350,4,0: hi x is inf"));
 }
 
 TEST_F(CliCull, TakesAndPrintsDecimalsOfMapCoordinatesAsTheyAreInTheFile) {
