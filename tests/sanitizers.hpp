@@ -26,16 +26,23 @@ inline constexpr bool is_emulated = true;
 inline constexpr bool is_emulated = false;
 #endif
 
+/// Whether this is built without optimisation, as the preset `debug` is.
+#if defined(__OPTIMIZE__)
+inline constexpr bool is_optimised = true;
+#else
+inline constexpr bool is_optimised = false;
+#endif
+
 /// Whether only a layer of the tests is run, quick or ci: ./cmake/run sets SHAFTCULL_TEST_LAYER.
 inline bool is_run_often() {
   const char* const layer = std::getenv("SHAFTCULL_TEST_LAYER");
   return layer != nullptr && (std::string_view(layer) == "quick" || std::string_view(layer) == "ci");
 }
 
-/// As many as asked for; half as many in the layers quick and ci; and under such a sanitizer or an emulator a sixth,
-/// since each takes several times as long there.
+/// As many as asked for; half as many in the layers quick and ci; and under such a sanitizer, an emulator or without
+/// optimisation a sixth, since each takes several times as long there.
 inline std::uint64_t random_cases(std::uint64_t cases) {
-  if (has_shadow_memory || is_emulated) return (cases + 5) / 6;
+  if (has_shadow_memory || is_emulated || !is_optimised) return (cases + 5) / 6;
   return is_run_often() ? (cases + 1) / 2 : cases;
 }
 
