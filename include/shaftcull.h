@@ -1017,15 +1017,18 @@ typedef struct shaftcull_visibility_options {
   uint32_t solids_around_ends;          /* 0: a solid that an end reaches into does not make a pair occluded */
   uint32_t candidates;                  /* 1: undecided pairs come with candidates */
   float tolerance;                      /* how far in front of a plane counts as behind it (visibility.hpp) */
+  uint32_t part;                        /* the call answers one part of all pairs: this one, below `parts` */
+  uint32_t parts;                       /* of so many (visibility.hpp) */
   shaftcull_resolve_callback resolve;   /* or NULL */
   shaftcull_progress_callback progress; /* or NULL */
   void* user;                           /* passed to both callbacks */
 } shaftcull_visibility_options;
 
-/// The default options: 256 MB, open contact, solids around ends, candidates, no tolerance, no callbacks. Never fails.
+/// The default options: 256 MB, open contact, solids around ends, candidates, no tolerance, all pairs, no callbacks.
+/// Never fails.
 static inline shaftcull_visibility_options shaftcull_default_visibility_options(void) {
   const shaftcull_visibility_options options = {
-      268435456, SHAFTCULL_CONTACT_OPEN, 1, 1, 0, (shaftcull_resolve_callback)0, (shaftcull_progress_callback)0,
+      268435456, SHAFTCULL_CONTACT_OPEN, 1, 1, 0, 0, 1, (shaftcull_resolve_callback)0, (shaftcull_progress_callback)0,
       (void*)0};
   return options;
 }
@@ -1119,6 +1122,8 @@ typedef struct shaftcull_view_factor_options {
   uint32_t rays;                        /* largest number of rays per undecided pair, 1 to 65536 */
   uint32_t close_rows;                  /* 1: rows are scaled to sum to 1, as those of an enclosure do */
   float tolerance;                      /* as for visibility and for rays */
+  uint32_t part;                        /* as for visibility: the matrix has the factors of this part of all pairs */
+  uint32_t parts;                       /* of so many; matrices of all parts add up; not with close_rows */
   shaftcull_progress_callback progress; /* or NULL */
   void* user;                           /* passed to the callback */
 } shaftcull_view_factor_options;
@@ -1126,8 +1131,8 @@ typedef struct shaftcull_view_factor_options {
 /// The default options: 256 MB, seed 1, error 2e-5, all pairs, 4096 rays, rows as they are, no tolerance, no callback.
 /// Never fails.
 static inline shaftcull_view_factor_options shaftcull_default_view_factor_options(void) {
-  const shaftcull_view_factor_options options = {268435456, 1, 2e-5, 0, 4096, 0, 0, (shaftcull_progress_callback)0,
-                                                 (void*)0};
+  const shaftcull_view_factor_options options = {
+      268435456, 1, 2e-5, 0, 4096, 0, 0, 0, 1, (shaftcull_progress_callback)0, (void*)0};
   return options;
 }
 

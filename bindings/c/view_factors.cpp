@@ -44,6 +44,8 @@ ViewFactorOptions as_factor_options(const shaftcull_view_factor_options* options
   out.least = options->least;
   out.close_rows = as_bool(options->close_rows, "options.close_rows");
   out.tolerance = options->tolerance;
+  out.part = options->part;
+  out.parts = options->parts;
   out.memory = as_size(options->memory, "options.memory");
   if (options->progress != nullptr) out.progress = as_progress(options->progress, options->user);
   return out;

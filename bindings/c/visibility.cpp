@@ -89,6 +89,8 @@ VisibilityOptions as_options(const shaftcull_visibility_options* options) {
   out.solids_around_ends = as_bool(options->solids_around_ends, "options.solids_around_ends");
   out.candidates = as_bool(options->candidates, "options.candidates");
   out.tolerance = options->tolerance;
+  out.part = options->part;
+  out.parts = options->parts;
   if (options->resolve != nullptr) {
     out.resolve = [resolve = options->resolve, user = options->user](const UndecidedPairs& undecided,
                                                                      std::span<Sight> verdict) {

@@ -259,6 +259,14 @@ struct SightCounts {
                                       : facing_away;
   }
   [[nodiscard]] std::uint64_t of(Sight sight) const noexcept { return SightCounts(*this).of(sight); }
+  /// Adds those of other pairs.
+  SightCounts& operator+=(const SightCounts& more) noexcept {
+    undecided += more.undecided;
+    clear += more.clear;
+    occluded += more.occluded;
+    facing_away += more.facing_away;
+    return *this;
+  }
   /// The number of all pairs.
   [[nodiscard]] std::uint64_t total() const noexcept { return undecided + clear + occluded + facing_away; }
   friend bool operator==(const SightCounts&, const SightCounts&) = default;
@@ -292,6 +300,12 @@ struct VisibilityOptions {
   float tolerance = 0;
   /// Whether undecided pairs come with candidates.
   bool candidates = true;
+  /// The call answers part `part` of `parts` parts of all pairs, numbered from 0: so several processes can share the
+  /// work, and what is finished can be kept. Each pair is in one part; parts have about as many pairs each. They depend
+  /// on the patches and on `parts` only. A pair that both faces away and is occluded may get the other of these two
+  /// answers if `parts` is different.
+  std::uint32_t part = 0;
+  std::uint32_t parts = 1;  ///< 1 or more, and above `part`
   /// Limit in bytes for answers in progress and for pairs of groups that wait for answers. It does not include the
   /// sets, the occluders, and memory that callbacks keep; nor about 2.5 MB plus 200 bytes per occluder for each thread;
   /// nor, if patches have corners, 180 bytes per occluder once. A single pair and its candidates may exceed the limit.
@@ -320,10 +334,10 @@ class SHAFTCULL_EXPORT Cancelled : public std::runtime_error {
 
 /// Returns how many pairs of a patch of `a` and a patch of `b` have each answer. Nothing is written for any pair.
 ///
-/// O(pairs · occluders) at worst. Two groups that are answered as a whole cost one answer, so a few nanoseconds per
-/// pair are usual. VisibilityOptions::memory describes the allocation. Verdicts of `resolve` are counted. Throws
-/// InvalidArgument for an option that is not an enumerator and for memory of less than 1 MB; std::bad_alloc; Cancelled;
-/// and exceptions of callbacks.
+/// Of a part of the pairs (VisibilityOptions::part), only those are counted. O(pairs · occluders) at worst. Two groups
+/// that are answered as a whole cost one answer, so a few nanoseconds per pair are usual. VisibilityOptions::memory
+/// describes the allocation. Verdicts of `resolve` are counted. Throws InvalidArgument for an option that is not an
+/// enumerator and for memory of less than 1 MB; std::bad_alloc; Cancelled; and exceptions of callbacks.
 [[nodiscard]] SHAFTCULL_EXPORT SightCounts count_visibility(const PatchSet& a, const PatchSet& b,
                                                             const Occluders& occluders,
                                                             const VisibilityOptions& options = {});
@@ -362,10 +376,11 @@ struct Visibility {
                                                              const VisibilityOptions& options = {});
 
 /// Writes one bit per pair: whether the answer is `sight`. `bits` has one row of bit_words(b.size()) words for each
-/// patch of `a`; bit j of row i is the bit of patches i and j. For one set with itself, both bits of a pair are
-/// written, and the diagonal is 0. Verdicts of `resolve` are included. Throws InvalidArgument if `bits` does not have
-/// exactly a.size() rows, or if `sight` is not an enumerator. If the call throws for another reason than its arguments,
-/// the bits are unspecified. Otherwise as visibility(); costs O(pairs with this answer) more.
+/// patch of `a`; bit j of row i is the bit of patches i and j. Bits of pairs of other parts are 0. For one set with
+/// itself, both bits of a pair are written, and the diagonal is 0. Verdicts of `resolve` are included. Throws
+/// InvalidArgument if `bits` does not have exactly a.size() rows, or if `sight` is not an enumerator. If the call
+/// throws for another reason than its arguments, the bits are unspecified. Otherwise as visibility(); costs O(pairs
+/// with this answer) more.
 SHAFTCULL_EXPORT SightCounts visibility_bits(const PatchSet& a, const PatchSet& b, const Occluders& occluders,
                                              Sight sight, std::span<std::uint64_t> bits,
                                              const VisibilityOptions& options = {});

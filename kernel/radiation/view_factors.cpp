@@ -3,14 +3,13 @@
 #include "shaftcull/view_factors.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "parallel/parallel.hpp"
+#include "radiation/factor_matrix.hpp"
 #include "radiation/radiating_patch.hpp"
 #include "support/elementary.hpp"
 #include "support/fail.hpp"
@@ -26,17 +25,9 @@
 namespace shaftcull {
 namespace {
 
+using kernel::Exchange;
+using kernel::ExchangeLists;
 using kernel::RadiatingPatch;
-
-/// What two patches exchange.
-struct Exchange {
-  PatchPair pair;
-  double area;  ///< A₁ F₁₂
-  double error;
-};
-
-/// Some at a time, so that many are never copied.
-using Found = std::vector<std::vector<Exchange>>;
 
 /// A patch, and all of a run: they are clear.
 struct ClearRow {
@@ -49,9 +40,15 @@ void require(const PatchSet& patches, const ViewFactorOptions& options) {
   kernel::require_rays(options.rays, options.error, options.tolerance);
   VisibilityOptions asked;
   asked.memory = options.memory;
+  asked.part = options.part;
+  asked.parts = options.parts;
   kernel::require_options(asked);
   if (!(options.least >= 0)) {
     kernel::fail(InvalidArgument("least is " + std::to_string(options.least) + "; it is 0 or more"));
+  }
+  if (options.close_rows && options.parts != 1) {
+    kernel::fail(InvalidArgument("close_rows is set for one of " + kernel::counted(options.parts, "part") +
+                                 "; rows are closed when all parts are there: join_view_factors()"));
   }
   const kernel::PatchTree& tree = patches.tree();
   if (patches.size() == 0 || tree.has_planes()) return;
@@ -80,6 +77,8 @@ class Exchanges {
     VisibilityOptions ask;
     ask.tolerance = options_.tolerance;
     ask.memory = options_.memory;
+    ask.part = options_.part;
+    ask.parts = options_.parts;
     if (options_.progress) {
       ask.progress = [&](const VisibilityProgress& now) { return modes([&] { return options_.progress(now); }); };
     }
@@ -91,7 +90,7 @@ class Exchanges {
   }
 
   [[nodiscard]] std::span<const RadiatingPatch> patches() const noexcept { return patches_.all(); }
-  [[nodiscard]] Found exchanges() noexcept { return std::move(exchanges_); }
+  [[nodiscard]] ExchangeLists exchanges() noexcept { return std::move(exchanges_); }
 
  private:
   /// Pairs that are worth a loop in parallel.
@@ -168,143 +167,10 @@ class Exchanges {
   std::vector<ClearRow> clear_;
   std::size_t waiting_ = 0;
   kernel::Mutex mutex_;
-  Found exchanges_;
-};
-
-/// A factor in a row.
-struct Cell {
-  std::uint32_t column;
-  float error;  ///< its sign says whether the factor is left out
-  double factor;
-};
-
-/// Makes rows of what patches exchange: columns ascend, so sums do not depend on the order in which pairs were found.
-class Rows {
- public:
-  /// Pairs neither of whose factors reaches `least` are left out.
-  Rows(Found exchanges, std::span<const RadiatingPatch> patches, double least)
-      : patches_(patches), end_(patches.size() + 1) {
-    for (const std::vector<Exchange>& some : exchanges) {
-      for (const Exchange& exchange : some) {
-        ++end_[exchange.pair.a + 1];
-        ++end_[exchange.pair.b + 1];
-      }
-    }
-    for (std::size_t i = 1; i != end_.size(); ++i) end_[i] += end_[i - 1];
-    cells_.resize(end_.back());
-    // A row's place moves on to its end as it is filled.
-    std::vector<std::size_t> next(end_.begin(), end_.end() - 1);
-    for (std::vector<Exchange>& some : exchanges) {
-      for (const auto& [pair, area, error] : some) {
-        const bool is_left_out = area / std::min(patches[pair.a].area, patches[pair.b].area) < least;
-        for (const auto& [row, column] : {std::pair{pair.a, pair.b}, std::pair{pair.b, pair.a}}) {
-          const double own = patches[row].area;
-          const auto error_of_factor = static_cast<float>(error / own);
-          cells_[next[row]++] = {column, is_left_out ? -error_of_factor : error_of_factor, std::min(1.0, area / own)};
-        }
-      }
-      some = {};
-    }
-  }
-
-  void sort() {
-    for_each_row([&](std::size_t i) {
-      std::sort(row(i).begin(), row(i).end(), [](const Cell& p, const Cell& q) { return p.column < q.column; });
-    });
-  }
-
-  /// Multiplies what patches i and j exchange by a number of i and one of j, so that rows that are not empty sum to 1.
-  /// Throws InvalidArgument for a row that is far from it.
-  void close() {
-    constexpr double far = 0.1;
-    constexpr double near = 1e-12;
-    constexpr int most_steps = 1000;
-    const std::size_t count = patches_.size();
-    std::vector<double> scale(count, 1.0);
-    std::vector<double> next(count);
-    std::vector<double> sum(count);
-    for (int step = 0; step != most_steps; ++step) {
-      for_each_row([&](std::size_t i) {
-        double of_row = 0;
-        for (const Cell& cell : row(i)) of_row += cell.factor * scale[cell.column];
-        sum[i] = scale[i] * of_row;
-        next[i] = sum[i] > 0 ? scale[i] / std::sqrt(sum[i]) : scale[i];
-      });
-      double worst = 0;
-      for (std::size_t i = 0; i != count; ++i) {
-        const double off = sum[i] > 0 ? std::fabs(sum[i] - 1) : 0;
-        if (step == 0 && off > far) {
-          kernel::fail(InvalidArgument("close_rows: the factors of patch " + std::to_string(i) + " sum to " +
-                                       std::to_string(sum[i]) + "; only rows of an enclosure can be closed"));
-        }
-        worst = std::max(worst, off);
-      }
-      if (worst <= near) break;
-      scale.swap(next);
-    }
-    for_each_row([&](std::size_t i) {
-      for (Cell& cell : row(i)) cell.factor *= scale[i] * scale[cell.column];
-    });
-  }
-
-  void fill(ViewFactors& factors) {
-    const std::size_t count = patches_.size();
-    std::vector<std::size_t> kept(count);
-    for_each_row([&](std::size_t i) {
-      double variance = 0;
-      std::size_t next = 0;
-      for (const Cell& cell : row(i)) {
-        factors.sum[i] += cell.factor;
-        variance += double{cell.error} * cell.error;
-        if (cell.factor == 0) continue;  // rays found nothing, as far as they can tell
-        if (std::signbit(cell.error)) {
-          factors.left_out[i] += cell.factor;
-        } else {
-          row(i)[next++] = cell;
-        }
-      }
-      factors.error[i] = std::sqrt(variance);
-      kept[i] = next;
-    });
-    factors.first.reserve(count + 1);
-    for (const std::size_t n : kept) factors.first.push_back(factors.first.back() + n);
-    factors.column.reserve(factors.first.back());
-    factors.factor.reserve(factors.first.back());
-    for (std::size_t i = 0; i != count; ++i) {
-      for (const Cell& cell : row(i).first(kept[i])) {
-        factors.column.push_back(cell.column);
-        factors.factor.push_back(cell.factor);
-      }
-    }
-  }
-
- private:
-  [[nodiscard]] std::span<Cell> row(std::size_t i) noexcept { return {cells_.data() + end_[i], end_[i + 1] - end_[i]}; }
-
-  template <class Body>
-  void for_each_row(const Body& body) {
-    constexpr std::size_t chunk = 64;
-    const std::size_t count = patches_.size();
-    const auto some = [&](std::size_t part, std::size_t) {
-      kernel::in_float_environment([&] {
-        for (std::size_t i = part * chunk; i != std::min((part + 1) * chunk, count); ++i) body(i);
-      });
-    };
-    kernel::parallel_for((count + chunk - 1) / chunk, 1, some);
-  }
-
-  std::span<const RadiatingPatch> patches_;
-  std::vector<std::size_t> end_;  ///< of the row before each; then that of the last
-  std::vector<Cell> cells_;
+  ExchangeLists exchanges_;
 };
 
 }  // namespace
-
-double ViewFactors::operator()(std::size_t i, std::size_t j) const noexcept {
-  const auto at = [&](std::size_t k) { return column.begin() + static_cast<std::ptrdiff_t>(k); };
-  const auto found = std::lower_bound(at(first[i]), at(first[i + 1]), j);
-  return found == at(first[i + 1]) || *found != j ? 0 : factor[static_cast<std::size_t>(found - column.begin())];
-}
 
 ViewFactors view_factors(const PatchSet& patches, const Occluders& occluders, const ViewFactorOptions& options) {
   const kernel::CallersModes modes;
@@ -315,13 +181,8 @@ ViewFactors view_factors(const PatchSet& patches, const Occluders& occluders, co
     Exchanges exchanges(patches, occluders, options);
     factors.counts = exchanges.find(modes);
     for (const RadiatingPatch& patch : exchanges.patches()) factors.area.push_back(patch.area);
-    for (std::vector<double>* of_rows : {&factors.sum, &factors.error, &factors.left_out}) {
-      of_rows->resize(patches.size());
-    }
-    Rows rows(exchanges.exchanges(), exchanges.patches(), options.least);
-    rows.sort();
-    if (options.close_rows) rows.close();
-    rows.fill(factors);
+    kernel::fill_rows(factors, exchanges.exchanges(), options.least);
+    if (options.close_rows) kernel::close_rows(factors);
   });
   return factors;
 }

@@ -16,20 +16,13 @@
 #include "visibility/callers_modes.hpp"
 #include "visibility/ladder.hpp"
 #include "visibility/ladder_pool.hpp"
+#include "visibility/pair_parts.hpp"
 #include "visibility/progress_reports.hpp"
 #include "visibility/sight_set.hpp"
 #include "visibility/verdicts.hpp"
 
 namespace shaftcull::kernel {
 namespace {
-
-SightCounts& operator+=(SightCounts& to, const SightCounts& more) noexcept {
-  to.undecided += more.undecided;
-  to.clear += more.clear;
-  to.occluded += more.occluded;
-  to.facing_away += more.facing_away;
-  return to;
-}
 
 /// One call.
 class Run {
@@ -59,6 +52,7 @@ class Run {
              deliver != nullptr || static_cast<bool>(options.resolve),
              options.candidates && (deliver != nullptr || static_cast<bool>(options.resolve)),
              deliver != nullptr && static_cast<bool>(options.resolve)},
+        groups_(groups_of_part(job_, options.part, options.parts)),
         verdicts_(options, job_, modes_),
         reports_(options, modes_, total_pairs()),
         ladders_(job_),
@@ -66,9 +60,9 @@ class Run {
                 static_cast<bool>(options.resolve)) {}
 
   SightCounts run() {
-    if (job_.a.tree.groups().empty() || job_.b.tree.groups().empty()) return {};
+    if (groups_.empty()) return {};
     reports_.report(0, true);
-    PairBlockTask all{0, 0, {}};
+    PairBlockTask all{};
     const auto number = [](std::vector<std::uint32_t>& list, std::size_t count) {
       list.resize(count);
       for (std::size_t i = 0; i != count; ++i) list[i] = static_cast<std::uint32_t>(i);
@@ -85,7 +79,12 @@ class Run {
     };
     const Ladder::Full full = is_full;
     in_float_environment([&] {
-      Ladder(job_).split(all, budget_.most_pairs(), leave, {before_, budget_.bytes_before(), full});
+      Ladder ladder(job_);
+      for (const GroupPair& groups : groups_) {
+        all.a = groups.a;
+        all.b = groups.b;
+        ladder.split(all, budget_.most_pairs(), leave, {before_, budget_.bytes_before(), full});
+      }
     });
     flush();
     hand_over(before_);
@@ -128,7 +127,9 @@ class Run {
   }
 
   [[nodiscard]] std::uint64_t total_pairs() const noexcept {
-    return job_.a.tree.groups().empty() || job_.b.tree.groups().empty() ? 0 : job_.pairs(0, 0);
+    std::uint64_t pairs = 0;
+    for (const GroupPair& groups : groups_) pairs += job_.pairs(groups.a, groups.b);
+    return pairs;
   }
 
   void add(PairBlockTask&& task) {
@@ -214,6 +215,7 @@ class Run {
   MadeOnce<BoxClumps>::Shared polygon_clumps_;
   std::vector<TurnedBox> turned_occluders_;
   SightJob job_;
+  std::vector<GroupPair> groups_;
   Verdicts verdicts_;
   ProgressReports reports_;
   LadderPool ladders_;

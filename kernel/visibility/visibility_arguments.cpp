@@ -33,7 +33,14 @@ void require_options(const VisibilityOptions& options) {
     kernel::fail(
         InvalidArgument("memory is " + std::to_string(options.memory) + " bytes; it takes 1 MB (1048576) or more"));
   }
+  require_part(options.part, options.parts);
   kernel::in_float_environment([&] { require_tolerance(options.tolerance); });
+}
+
+void require_part(std::uint32_t part, std::uint32_t parts) {
+  if (part < parts) return;
+  kernel::fail(InvalidArgument("part " + std::to_string(part) + " of " + counted(parts, "part") +
+                               " is asked for; parts are numbered from 0"));
 }
 
 void require_rays(std::uint32_t rays, double error, float tolerance) {

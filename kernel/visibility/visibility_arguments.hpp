@@ -16,6 +16,9 @@ namespace shaftcull::kernel {
 
 void require_options(const VisibilityOptions& options);
 
+/// Of calls of a part of all pairs.
+void require_part(std::uint32_t part, std::uint32_t parts);
+
 /// Of calls that cast rays: at most `rays` of each pair, until an error is reached.
 void require_rays(std::uint32_t rays, double error, float tolerance);
 

@@ -139,6 +139,16 @@ inline void add_visibility_calls(CallTable& table) {
     for (const std::uint32_t column : factors.column) words.push_back(column);
     for (const double error : factors.error) note(words, error);
   });
+  table.add("join_view_factors", false, [all](AnswerWords& words) {
+    std::vector<ViewFactors> parts;
+    for (const std::uint32_t part : {0U, 1U}) {
+      ViewFactorOptions options;
+      options.part = part;
+      options.parts = 2;
+      parts.push_back(view_factors(all->facets, all->occluders, options));
+    }
+    for (const double factor : join_view_factors(parts).factor) note(words, factor);
+  });
   table.add("visibility_bits", false, [all](AnswerWords& words) {
     std::vector<std::uint64_t> bits(all->patches.size() * bit_words(all->others.size()));
     visibility_bits(all->patches, all->others, all->occluders, Sight::clear, bits);

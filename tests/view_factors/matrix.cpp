@@ -11,6 +11,7 @@
 #include <numbers>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "caught.hpp"
@@ -365,6 +366,108 @@ TEST(ViewFactors, OfAnEnclosureCanBeClosed) {
   two.add({0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1});
   EXPECT_EQ(message_of([&] { static_cast<void>(view_factors(two.patches(), {}, options)); }),
             "close_rows: the factors of patch 0 sum to 0.199825; only rows of an enclosure can be closed");
+}
+
+/// A room with things in it, some of which are nearly closed off.
+RadiatingScene crowded_room() {
+  RadiatingScene room;
+  room.add_box({{0, 0, 0}, {4, 4, 4}}, 9, true);
+  room.add_box({{1, 1, 1}, {2, 2, 2}}, 3, false);
+  room.add_box({{2.5F, 1, 0.5F}, {3, 3.5F, 2}}, 3, false);
+  return room;
+}
+
+std::vector<ViewFactors> factors_in_parts(const PatchSet& patches, const Occluders& occluders,
+                                          ViewFactorOptions options, std::uint32_t parts) {
+  std::vector<ViewFactors> of_parts;
+  for (options.part = 0, options.parts = parts; options.part != parts; ++options.part) {
+    of_parts.push_back(view_factors(patches, occluders, options));
+  }
+  return of_parts;
+}
+
+TEST(ViewFactors, OfPartsAreThoseOfTheWhole) {
+  const RadiatingScene room = crowded_room();
+  const PatchSet patches = room.patches();
+  const Occluders occluders = room.occluders();
+  ViewFactorOptions options;
+  options.rays = 64;
+  options.seed = 7;
+  const ViewFactors whole = view_factors(patches, occluders, options);
+  ASSERT_GT(whole.counts.undecided, 1000U);
+  for (const std::uint32_t parts : {1U, 2U, 5U, 40U}) {
+    std::vector<ViewFactors> of_parts = factors_in_parts(patches, occluders, options, parts);
+    EXPECT_EQ(of_parts[0].factor.size() < whole.factor.size(), parts > 1);
+    std::reverse(of_parts.begin(), of_parts.end());
+    const ViewFactors joined = join_view_factors(of_parts);
+    EXPECT_EQ(joined.first, whole.first);
+    EXPECT_EQ(joined.column, whole.column);
+    EXPECT_EQ(joined.factor, whole.factor);
+    EXPECT_EQ(joined.area, whole.area);
+    EXPECT_EQ(joined.sum, whole.sum);
+    EXPECT_EQ(joined.left_out, whole.left_out);
+    EXPECT_EQ(joined.counts.total(), whole.counts.total());
+    EXPECT_EQ(joined.counts.clear, whole.counts.clear);
+    EXPECT_EQ(joined.counts.undecided, whole.counts.undecided);
+    for (std::size_t i = 0; i != room.size(); ++i) EXPECT_NEAR(joined.error[i], whole.error[i], 1e-15) << i;
+  }
+}
+
+TEST(ViewFactors, OfPartsCanBeClosedAndLeaveOutSmallOnes) {
+  const RadiatingScene room = crowded_room();
+  const PatchSet patches = room.patches();
+  const Occluders occluders = room.occluders();
+  ViewFactorOptions options;
+  options.rays = 256;
+  for (const double least : {0.0, 1e-4}) {
+    options.least = least;
+    options.close_rows = false;
+    const ViewFactors joined = join_view_factors(factors_in_parts(patches, occluders, options, 9), true);
+    options.close_rows = true;
+    const ViewFactors whole = view_factors(patches, occluders, options);
+    EXPECT_EQ(joined.first, whole.first);
+    EXPECT_EQ(joined.column, whole.column);
+    double left_out = 0;
+    for (std::size_t i = 0; i != room.size(); ++i) {
+      EXPECT_NEAR(joined.sum[i], 1, 1e-11);
+      EXPECT_NEAR(whole.sum[i], 1, 1e-11);
+      EXPECT_NEAR(joined.left_out[i], whole.left_out[i], 1e-12);
+      left_out += whole.left_out[i];
+    }
+    EXPECT_EQ(left_out > 0, least > 0);
+    for (std::size_t k = 0; k != whole.factor.size(); ++k) {
+      EXPECT_NEAR(joined.factor[k], whole.factor[k], 1e-12 * whole.factor[k]) << k;
+    }
+  }
+}
+
+TEST(ViewFactors, OfPartsThatDoNotBelongTogetherAreRefused) {
+  const RadiatingScene room = crowded_room();
+  ViewFactorOptions options;
+  options.rays = 16;
+  std::vector<ViewFactors> parts = factors_in_parts(room.patches(), room.occluders(), options, 2);
+  const auto message = [&] { return message_of([&] { static_cast<void>(join_view_factors(parts)); }); };
+  parts.push_back(parts[1]);
+  EXPECT_THAT(message(), testing::MatchesRegex(
+                             "two parts have the factor from patch [0-9]+ to patch [0-9]+; each pair is in one part"));
+  parts[2].area[5] *= 2;
+  EXPECT_EQ(message(), "part 2 has patches of other areas than part 0; parts are of one set of patches");
+  const ViewFactors taken = std::move(parts[2]);
+  EXPECT_EQ(message(), "part 2 is no matrix: its arrays do not fit each other");
+  parts[2] = taken;
+  parts[2].column.back() = static_cast<std::uint32_t>(room.size());
+  EXPECT_EQ(message(), "part 2 is no matrix: its arrays do not fit each other");
+  parts[2] = ViewFactors{};
+  EXPECT_EQ(message(), "part 2 has rows of 0 patches, and part 0 of " + std::to_string(room.size()) +
+                           "; parts are of one set of patches");
+  EXPECT_EQ(join_view_factors({}).size(), 0U);
+  options.part = 1;
+  EXPECT_EQ(message_of([&] { static_cast<void>(view_factors(room.patches(), {}, options)); }),
+            "part 1 of 1 part is asked for; parts are numbered from 0");
+  options.parts = 2;
+  options.close_rows = true;
+  EXPECT_EQ(message_of([&] { static_cast<void>(view_factors(room.patches(), {}, options)); }),
+            "close_rows is set for one of 2 parts; rows are closed when all parts are there: join_view_factors()");
 }
 
 TEST(ViewFactors, OfNothingAreNone) {

@@ -11,6 +11,7 @@ shaftcull_test(visibility PARTS 2
   visibility/hulls.cpp
   visibility/lit.cpp
   visibility/meet.cpp
+  visibility/parts.cpp
   visibility/patch_tree.cpp
   visibility/rays.cpp
   visibility/reach.cpp

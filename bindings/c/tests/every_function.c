@@ -1426,6 +1426,9 @@ static void visibility(void) {
   options = shaftcull_default_visibility_options();
   options.tolerance = -1;
   REFUSED(shaftcull_visibility(a, b, occluders, &options, NULL, NULL, &counts), "tolerance is -1");
+  options = shaftcull_default_visibility_options();
+  options.part = 1;
+  REFUSED(shaftcull_visibility(a, b, occluders, &options, NULL, NULL, &counts), "part 1 of 1 part is asked for");
   CHECK(strcmp(shaftcull_sight_name(SHAFTCULL_SIGHT_CLEAR), "clear") == 0);
   CHECK(strcmp(shaftcull_sight_name(SHAFTCULL_SIGHT_FACING_AWAY), "facing_away") == 0);
   CHECK(strcmp(shaftcull_sight_name(4), "unknown") == 0);
@@ -1492,6 +1495,9 @@ static void rays_and_view_factors(void) {
   REFUSED(shaftcull_view_factors(walls, occluders, &options, &matrix), "row");
   options.close_rows = 2;
   REFUSED(shaftcull_view_factors(walls, occluders, &options, &matrix), "options.close_rows = 2");
+  options.close_rows = 1;
+  options.parts = 2;
+  REFUSED(shaftcull_view_factors(walls, occluders, &options, &matrix), "close_rows is set for one of 2 parts");
   options = shaftcull_default_view_factor_options();
   options.rays = 0;
   REFUSED(shaftcull_view_factors(walls, occluders, &options, &matrix), "rays");

@@ -397,13 +397,15 @@ TEST(CVisibility, FractionsAndViewFactorsAreThoseOfCpp) {
   EXPECT_TRUE(std::ranges::any_of(lit, [](float part) { return part > 0 && part < 1; }));
 
   const ViewFactorOptions cpp_options{
-      .rays = 256, .error = 1e-4, .seed = 9, .least = 1e-4, .tolerance = 0.01F, .progress = {}};
+      .rays = 256, .error = 1e-4, .seed = 9, .least = 1e-4, .tolerance = 0.01F, .part = 1, .parts = 2, .progress = {}};
   shaftcull_view_factor_options options = shaftcull_default_view_factor_options();
   options.rays = 256;
   options.error = 1e-4;
   options.seed = 9;
   options.least = 1e-4;
   options.tolerance = 0.01F;
+  options.part = 1;
+  options.parts = 2;
   const ViewFactors factors = view_factors(cpp, occluders_cpp, cpp_options);
   const auto matrix = made<FactorMatrixHandle>(shaftcull_view_factors, static_cast<const shaftcull_patches*>(c.get()),
                                                static_cast<const shaftcull_occluders*>(occluders.get()),
@@ -435,6 +437,8 @@ TEST(CVisibility, DefaultOptionsAreThoseOfCpp) {
   EXPECT_EQ(sight.solids_around_ends, std::uint32_t{of_sight.solids_around_ends});
   EXPECT_EQ(sight.candidates, std::uint32_t{of_sight.candidates});
   EXPECT_EQ(sight.tolerance, of_sight.tolerance);
+  EXPECT_EQ(sight.part, of_sight.part);
+  EXPECT_EQ(sight.parts, of_sight.parts);
   const shaftcull_ray_options rays = shaftcull_default_ray_options();
   const RayOptions of_rays;
   EXPECT_EQ(rays.rays, of_rays.rays);
@@ -450,6 +454,8 @@ TEST(CVisibility, DefaultOptionsAreThoseOfCpp) {
   EXPECT_EQ(factors.rays, of_factors.rays);
   EXPECT_EQ(factors.close_rows, std::uint32_t{of_factors.close_rows});
   EXPECT_EQ(factors.tolerance, of_factors.tolerance);
+  EXPECT_EQ(factors.part, of_factors.part);
+  EXPECT_EQ(factors.parts, of_factors.parts);
   for (std::uint32_t sight_of_c = 0; sight_of_c != 4; ++sight_of_c) {
     EXPECT_STREQ(shaftcull_sight_name(sight_of_c), name(static_cast<Sight>(sight_of_c)));
   }

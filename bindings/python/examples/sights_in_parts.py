@@ -1,8 +1,6 @@
-"""What sees what, by several processes: patches in parts that lie together, and for each two parts one call.
+"""What sees what, by several processes: each answers some parts of all pairs.
 
-    mpirun -n 4 python3 sights_in_parts.py
-
-Of patches among themselves each pair comes once: a part is asked with itself, and with the parts behind it."""
+    mpirun -n 4 python3 sights_in_parts.py"""
 
 import numpy as np
 import shaftcull
@@ -19,32 +17,25 @@ def scene(count=2_000):
     return patches, dict(occluders=np.hstack([trees, trees + 1]).astype(np.float32), solids=walls)
 
 
-def tasks(patches, parts):
-    """Indices of two groups of patches for each call; None for the group with itself."""
-    order = np.array_split(shaftcull.Patches(patches).order, parts)
-    return [(a, None if i == j else b) for i, a in enumerate(order) for j, b in enumerate(order[i:], i)]
+def answers(patches, between, part, parts):
+    """Undecided pairs, the candidates of each, and how many pairs there are of each kind."""
+    found = shaftcull.visibility(patches, occluders=between, part=part, parts=parts)
+    return found.undecided, found.candidates, np.array(list(found.counts.values()))
 
 
-def answers(patches, between, task):
-    """Undecided pairs by the indices of all patches, the candidates of each, and how many pairs there are of each kind."""
-    a, b = task
-    found = shaftcull.visibility(patches[a], None if b is None else patches[b], occluders=between)
-    pairs = np.stack([a[found.undecided[:, 0]], (a if b is None else b)[found.undecided[:, 1]]], axis=1)
-    return pairs, found.candidates, np.array(list(found.counts.values()))
-
-
-def main():
+def main(parts=64):
     from mpi4py import MPI
 
     world = MPI.COMM_WORLD
     patches, between = scene()
+    patches = shaftcull.Patches(patches)
     between = shaftcull.Occluders(between["occluders"], solids=between["solids"])
-    mine = tasks(patches, parts=8)[world.rank :: world.size]
-    parts = world.gather([answers(patches, between, task) for task in mine])
+    mine = range(world.rank, parts, world.size)
+    found = world.gather([answers(patches, between, part, parts) for part in mine])
     if world.rank == 0:
-        counts = sum(part[2] for share in parts for part in share)
+        counts = sum(part[2] for share in found for part in share)
         print("%d undecided, %d clear, %d occluded, %d facing away" % tuple(counts))
-    return parts
+    return found
 
 
 if __name__ == "__main__":

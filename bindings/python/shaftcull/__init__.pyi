@@ -1223,6 +1223,8 @@ def visibility(
     tolerance: float = 0.0,
     solids_around_ends: bool = True,
     memory: int = 268435456,
+    part: int = 0,
+    parts: int = 1,
     progress: Callable[[int, int], object] | None = None,
     candidates: bool = True,
 ) -> Visibility:
@@ -1243,6 +1245,8 @@ def visibility(
     tolerance: how far in front of a plane a point may be and still count as behind it, for rounded corners.
     solids_around_ends: whether a solid that a patch reaches into may make pairs of the patch 'occluded'.
     memory: limit in bytes for answers in progress, 1 MB or more.
+    part, parts: the call answers part 0, 1, ... of so many parts of all pairs, so that several processes can
+        share the work. Each pair is in one part.
     progress: called as progress(done, total) several times per second, on this thread; if it raises, the call
         ends.
     candidates: whether undecided pairs come with candidates, the occluders that reach between the patches.
@@ -1269,6 +1273,8 @@ def count_visibility(
     tolerance: float = 0.0,
     solids_around_ends: bool = True,
     memory: int = 268435456,
+    part: int = 0,
+    parts: int = 1,
     progress: Callable[[int, int], object] | None = None,
 ) -> dict[str, int]:
     """The number of pairs that are 'undecided', 'clear', 'occluded' and 'facing_away': a dict of int, like the
@@ -1286,6 +1292,8 @@ def count_visibility(
     tolerance: how far in front of a plane a point may be and still count as behind it, for rounded corners.
     solids_around_ends: whether a solid that a patch reaches into may make pairs of the patch 'occluded'.
     memory: limit in bytes for answers in progress, 1 MB or more.
+    part, parts: the call answers part 0, 1, ... of so many parts of all pairs, so that several processes can
+        share the work. Each pair is in one part.
     progress: called as progress(done, total) several times per second, on this thread; if it raises, the call
         ends.
 
@@ -1395,6 +1403,8 @@ def view_factors(
     close: bool = False,
     tolerance: float = 0.0,
     memory: int = 268435456,
+    part: int = 0,
+    parts: int = 1,
     progress: Callable[[int, int], object] | None = None,
 ) -> ViewFactors:
     """The view factors of every two patches. Clear pairs have view_factor(), and pairs that are occluded or face
@@ -1412,6 +1422,8 @@ def view_factors(
         1.
     tolerance: as for visibility(). memory: limit in bytes for answers in progress, without the factors, 1 MB or
         more.
+    part, parts: as for visibility(). The result has the factors of this part of the pairs. Matrices of all parts
+        add up, and so do their row_sum and left_out; `close` is for all pairs only.
     progress: called as progress(done, total) several times per second, on this thread; if it raises, the call
         ends.
 

@@ -86,7 +86,7 @@ void add_view_factors(py::module_& module) {
       "view_factors",
       [](const py::object& patches, const py::object& planes, const py::object& occluders, const py::object& triangles,
          const py::object& faces, std::uint32_t rays, double error, std::uint64_t seed, double least, bool close,
-         float tolerance, std::size_t memory, const py::object& progress) {
+         float tolerance, std::size_t memory, std::uint32_t part, std::uint32_t parts, const py::object& progress) {
         const Rounding exact = rounding_in(py::none());
         const PatchSet set = patches_in(patches, planes, exact, "patches", "planes");
         const py::object nothing = py::none();
@@ -100,13 +100,16 @@ void add_view_factors(py::module_& module) {
         options.close_rows = close;
         options.tolerance = tolerance;
         options.memory = memory;
+        options.part = part;
+        options.parts = parts;
         return factors_of(while_hearing(
             options, progress, [&](const ViewFactorOptions& asked) { return view_factors(set, *between.all, asked); }));
       },
       arg("patches"), py::kw_only(), arg("planes") = none, arg("occluders") = none, arg("triangles") = none,
       arg("faces") = none, arg("rays") = ViewFactorOptions().rays, arg("error") = ViewFactorOptions().error,
       arg("seed") = ViewFactorOptions().seed, arg("least") = ViewFactorOptions().least, arg("close") = false,
-      arg("tolerance") = 0.0F, arg("memory") = ViewFactorOptions().memory, arg("progress") = none, R"(
+      arg("tolerance") = 0.0F, arg("memory") = ViewFactorOptions().memory, arg("part") = 0, arg("parts") = 1,
+      arg("progress") = none, R"(
 The view factors of every two patches. Clear pairs have view_factor(), and pairs that are occluded or face
 away have 0. For all other pairs, rays estimate the factors. The result has the same bits for any number of
 processors. Returns a ViewFactors.
@@ -122,6 +125,8 @@ close: whether rows are scaled to sum to 1, as those of a closed room do; ValueE
     1.
 tolerance: as for visibility(). memory: limit in bytes for answers in progress, without the factors, 1 MB or
     more.
+part, parts: as for visibility(). The result has the factors of this part of the pairs. Matrices of all parts
+    add up, and so do their row_sum and left_out; `close` is for all pairs only.
 progress: called as progress(done, total) several times per second, on this thread; if it raises, the call
     ends.
 

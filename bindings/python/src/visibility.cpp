@@ -213,7 +213,7 @@ void add_call(py::module_& module, const char* name, Run run, const std::string&
             const py::object& planes_b, const py::object& occluders, const py::object& solids, const py::object& hulls,
             const py::object& polygons, const py::object& triangles, const py::object& faces, const py::object& groups,
             const py::object& rounding, const std::string& contact, float tolerance, bool solids_around_ends,
-            std::size_t memory, const py::object& progress, Extra... extra) {
+            std::size_t memory, std::uint32_t part, std::uint32_t parts, const py::object& progress, Extra... extra) {
         const bool of_one_set = patches_b.is_none();
         if (of_one_set && !planes_b.is_none()) throw py::value_error("planes_b are given, but no patches_b");
         const Rounding rounded = rounding_in(rounding);
@@ -227,13 +227,15 @@ void add_call(py::module_& module, const char* name, Run run, const std::string&
         asked.options.tolerance = tolerance;
         asked.options.solids_around_ends = solids_around_ends;
         asked.options.memory = memory;
+        asked.options.part = part;
+        asked.options.parts = parts;
         return run(asked, progress, extra...);
       },
       arg("patches"), arg("patches_b") = none, py::kw_only(), arg("planes") = none, arg("planes_b") = none,
       arg("occluders") = none, arg("solids") = none, arg("hulls") = none, arg("polygons") = none,
       arg("triangles") = none, arg("faces") = none, arg("groups") = none, arg("rounding") = none,
       arg("contact") = "open", arg("tolerance") = 0.0F, arg("solids_around_ends") = true,
-      arg("memory") = VisibilityOptions().memory, arg("progress") = none, args...,
+      arg("memory") = VisibilityOptions().memory, arg("part") = 0, arg("parts") = 1, arg("progress") = none, args...,
       (text + R"(
 
 patches, patches_b: boxes, float32 (n, 6); corners, float32 (n, k, 3); or Patches. Without patches_b, every
@@ -248,6 +250,8 @@ contact: 'open' leaves out occluders that only touch a shaft, so a patch may lie
 tolerance: how far in front of a plane a point may be and still count as behind it, for rounded corners.
 solids_around_ends: whether a solid that a patch reaches into may make pairs of the patch 'occluded'.
 memory: limit in bytes for answers in progress, 1 MB or more.
+part, parts: the call answers part 0, 1, ... of so many parts of all pairs, so that several processes can
+    share the work. Each pair is in one part.
 progress: called as progress(done, total) several times per second, on this thread; if it raises, the call
     ends.)" +
        about_extra + R"(

@@ -356,8 +356,10 @@ def test_parts_have_the_answers_of_the_whole():
 
     patches, between = parts.scene(400)
     whole = sc.visibility(patches, **between)
-    check_parts(whole, [parts.answers(patches, sc.Occluders(between["occluders"], solids=between["solids"]), task)
-                        for task in parts.tasks(patches, 5)])  # fmt: skip
+    occluders = sc.Occluders(between["occluders"], solids=between["solids"])
+    check_parts(whole, [parts.answers(sc.Patches(patches), occluders, part, 5) for part in range(5)])
+    with pytest.raises(ValueError, match="part 5 of 5 parts is asked for"):
+        sc.count_visibility(patches, part=5, parts=5)
 
 
 def check_parts(whole, answers):
@@ -453,6 +455,12 @@ def test_view_factors_of_all_pairs():
     assert np.array_equal(again.data, factors.data)
     fewer = sc.view_factors(room, triangles=triangles_of(room), least=0.01, rays=64, error=1e-3, seed=5, memory=1 << 20)
     assert len(fewer.data) < len(factors.data) and fewer.left_out.any()
+    some = [sc.view_factors(room, triangles=triangles_of(room), part=part, parts=2) for part in range(2)]
+    joined = np.zeros((n, n))
+    for part in some:
+        joined[np.repeat(np.arange(n), np.diff(part.indptr)), part.indices] += part.data
+    assert (joined == dense).all()
+    assert sum(part.row_sum for part in some) == pytest.approx(factors.row_sum, abs=1e-15)
     closed = sc.view_factors(room, triangles=triangles_of(room), close=True)
     assert closed.row_sum == pytest.approx(np.ones(n), abs=1e-11)
     with pytest.raises(ValueError, match="only rows of an enclosure"):

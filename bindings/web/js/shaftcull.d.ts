@@ -614,6 +614,12 @@ export interface VisibilityScene extends RayOptions {
   candidates?: boolean;
   /** Limit in bytes for answers in progress, 1 MB or more; 256 MB by default. */
   memory?: number;
+  /**
+   * The call answers one part of all pairs: `part`, from 0, of `parts`. Each pair is in one part. 0 of 1 by default:
+   * all pairs.
+   */
+  part?: number;
+  parts?: number;
 }
 
 /** Rays from points of one patch to points of another. */
@@ -642,7 +648,7 @@ export interface LitScene extends RayOptions,
  */
 export interface ViewFactorScene extends RayOptions,
     Pick<VisibilityScene, 'patches' | 'planes' | 'corners' | 'boxes' | 'solids' | 'hulls' | 'polygons' | 'triangles' |
-                          'findSolids' | 'tolerance' | 'memory'> {
+                          'findSolids' | 'tolerance' | 'memory' | 'part' | 'parts'> {
   /** Pairs both of whose factors are below this are left out of the matrix; 0 by default. */
   least?: number;
   /** Whether rows are scaled to sum to 1, as those of an enclosure do; false by default. */

@@ -6,11 +6,11 @@ import {contacts} from './shafts.js';
 import {sourceOf} from './sources.js';
 
 const sightNames = ['undecided', 'clear', 'occluded', 'facing_away'];
-const parts = [
+const sceneOptions = [
   'patches', 'planes', 'corners', 'patchesB', 'planesB', 'cornersB', 'boxes', 'solids', 'hulls', 'polygons', 'triangles',
   'sides',
 ];
-const countOptions = ['contact', 'tolerance', 'solidsAroundEnds', 'findSolids', 'memory'];
+const countOptions = ['contact', 'tolerance', 'solidsAroundEnds', 'findSolids', 'memory', 'part', 'parts'];
 const rayOptions = ['rays', 'error', 'seed'];
 export const defaultMemory = 2 ** 28;
 const patchSides = ['front', 'both'];
@@ -81,7 +81,7 @@ function orderOf(module, scratch, patches) {
 
 /** The result of use(scene, make, scratch), which has the handles a, b (0 if there is none), occluders and firstGroup. */
 export function withScene(module, scene, names, use) {
-  checkOptions(scene, [...parts, ...names]);
+  checkOptions(scene, [...sceneOptions, ...names]);
   if (scene.sides && !scene.corners && !scene.cornersB) throw new TypeError('there are sides, but no corners');
   if (scene.planesB && !scene.patchesB && !scene.cornersB) throw new TypeError('there are planesB, but no patchesB');
   return withHandles(module, (make) => module.scratch((scratch) => {
@@ -100,13 +100,15 @@ export function asOptions(scene) {
   if (scene.rays !== undefined) given.rays = asInteger(scene.rays, 0, 'rays');
   if (scene.error !== undefined) given.error = asNumber(scene.error, 'error');
   if (scene.seed !== undefined) given.seed = asInteger(scene.seed, 0, 'seed');
+  if (scene.part !== undefined) given.part = asInteger(scene.part, 0, 'part');
+  if (scene.parts !== undefined) given.parts = asInteger(scene.parts, 0, 'parts');
   return given;
 }
 
 function sightOptions(scratch, scene) {
-  const {memory = defaultMemory, tolerance = 0} = asOptions(scene);
+  const {memory = defaultMemory, tolerance = 0, part = 0, parts = 1} = asOptions(scene);
   return scratch.struct('visibility_options', {
-    memory, tolerance,
+    memory, tolerance, part, parts,
     contact: asEnumerator(scene.contact ?? 'open', contacts, 'contact'),
     solids_around_ends: scene.solidsAroundEnds === false ? 0 : 1,
     candidates: scene.candidates === false ? 0 : 1,

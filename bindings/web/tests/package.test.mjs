@@ -1110,6 +1110,11 @@ describe('visibility', () => {
     assert.deepEqual(fewer.undecided, seen.undecided);
     assert.deepEqual(fewer.offsets, new Float64Array(seen.counts.undecided + 1));
     assert.equal(fewer.candidates.length, 0);
+    const parts = [0, 1, 2].map((part) => shaftcull.countVisibility({...scene, part, parts: 3}));
+    for (const sight of Object.keys(seen.counts)) {
+      assert.equal(parts.reduce((sum, counts) => sum + counts[sight], 0), seen.counts[sight]);
+    }
+    assert.throws(() => shaftcull.visibility({...scene, part: 3, parts: 3}), /part 3 of 3 parts is asked for/);
     const around = {patches: row(0, 1), patchesB: row(10, 1), solids: [-1, -1, -1, 2, 2, 2]};
     assert.equal(shaftcull.countVisibility(around).occluded, 1);
     assert.equal(shaftcull.countVisibility({...around, solidsAroundEnds: false}).occluded, 0);
@@ -1372,6 +1377,8 @@ describe('view factors', () => {
     assert(hidden.error[0] > 0 && hidden.sum[0] < 0.9);
     const fewer = shaftcull.viewFactors({corners: room, ...screen, least: 0.15, rays: 64, error: 0, seed: 5});
     assert(fewer.leftOut[0] > 0 && fewer.factor.length < 30);
+    const parts = [0, 1].map((part) => shaftcull.viewFactors({corners: room, ...screen, part, parts: 2}));
+    assert.equal(parts[0].at(0, 1) + parts[1].at(0, 1), hidden.at(0, 1));
     const closed = shaftcull.viewFactors({corners: room.slice(0, 6), closeRows: true});
     assert(closed.sum.every((sum) => Math.abs(sum - 1) < 1e-12));
   });
