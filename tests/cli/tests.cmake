@@ -73,6 +73,12 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release")
     set_tests_properties(hash PROPERTIES TIMEOUT ${shaftcull_test_seconds})
   endif()
 endif()
+if(assimp_FOUND AND SHAFTCULL_SYSTEM_PYTHON AND NOT CMAKE_CROSSCOMPILING)
+  add_test(NAME cli.openfoam
+    COMMAND ${SHAFTCULL_SYSTEM_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/cli/openfoam_test.py
+            ${PROJECT_SOURCE_DIR}/docs/examples/openfoam.py $<TARGET_FILE:shaftcull_cli>)
+  set_tests_properties(cli.openfoam PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT ${shaftcull_test_seconds})
+endif()
 add_test(NAME cli.manual
   COMMAND ${CMAKE_COMMAND} -D PROGRAM=${shaftcull_cli_to_run} -D PAGE=${PROJECT_SOURCE_DIR}/docs/shaftcull.1
           -D VERSION=${PROJECT_VERSION} -P ${CMAKE_CURRENT_SOURCE_DIR}/cli/manual.cmake)
