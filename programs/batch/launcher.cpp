@@ -29,4 +29,9 @@ Launch launch() noexcept {
           number_of({"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"}, 0)};
 }
 
+bool is_launched() noexcept {
+  const Launch found = launch();
+  return found.mpi || found.processes > 1;
+}
+
 }  // namespace shaftcull::batch

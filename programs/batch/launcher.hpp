@@ -13,4 +13,7 @@ struct Launch {
 
 [[nodiscard]] Launch launch() noexcept;
 
+/// Whether a launcher of MPI, or srun, started this process.
+[[nodiscard]] bool is_launched() noexcept;
+
 }  // namespace shaftcull::batch

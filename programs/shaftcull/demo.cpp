@@ -261,7 +261,7 @@ void show_rooms(const DemoOptions& options, const Workers& workers, Console& con
   choice.patch_size = 0.5;
   choice.solid = {"wall*", "cupboard*", "table*"};
   const SeesScene scene = make_sees_scene(make_rooms(rooms, 1), choice, source);
-  const SeesBlocks patches(scene);
+  const PatchSet patches = scene.patch_set();
   SeesReport report{};
   workers.run([&] { report = run_sees(scene, patches, {}, source, "", {}, console.progress, console.interrupt); });
   fmt::print("\nVisible pairs of patches in {}\n", format_report(report, ReportFormat::text));

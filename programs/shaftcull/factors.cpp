@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
 /// `shaftcull factors`: view factors between all facets of a mesh.
 #include <chrono>
-#include <cstdio>
 #include <memory>
-#include <vector>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "factors_result.hpp"
-#include "instruction_set.hpp"
+#include "batch/launcher.hpp"
+#include "factors_job.hpp"
+#include "factors_ranks.hpp"
 #include "interrupt.hpp"
 #include "number.hpp"
 #include "output_file.hpp"
+#include "part_count.hpp"
 #include "peak_memory.hpp"
 #include "progress.hpp"
-#include "scene_options.hpp"
 #include "sees.hpp"
 #include "shaftcull/shaftcull.hpp"
 #include "subcommand.hpp"
@@ -24,20 +24,7 @@
 namespace shaftcull::cli {
 namespace {
 
-struct FactorsOptions {
-  SceneOptions scene;
-  ViewFactorOptions ask;
-  std::size_t megabytes = 256;
-  std::string out;
-  std::string svg;
-  std::string ply;
-  bool objects = false;
-  std::string up = "z";
-  std::string format = "text";
-  int threads = 0;
-  InstructionSet isa;
-};
-
+/// Finds all factors at once.
 void find(FactorsResult& result, const FactorsOptions& options) {
   const Workers workers(options.threads);
   Progress progress;
@@ -45,10 +32,7 @@ void find(FactorsResult& result, const FactorsOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
   VisibilityProgress last{};
-  ViewFactorOptions ask = options.ask;
-  ask.seed = options.scene.seed;
-  ask.memory = options.megabytes << 20;
-  ask.tolerance = result.scene.tolerance;
+  ViewFactorOptions ask = factors_question(options, result);
   ask.progress = [&](const VisibilityProgress& now) {
     last = now;
     progress.update(progress_text(now, seconds()));
@@ -69,25 +53,16 @@ void find(FactorsResult& result, const FactorsOptions& options) {
 }
 
 void run(const FactorsOptions& options) {
-  if (!options.out.empty()) require_factors_name(options.out);
-  require_different_files({{"--out", options.out}, {"--svg", options.svg}, {"--ply", options.ply}},
-                          options.scene.paths);
+  if (batch::is_launched()) return run_factors_in_parts(options);
+  require_factor_files(options);
   options.isa.select();
-  FactorsResult result{make_facet_scene(options.scene, options.objects)};
-  result.most_rays = options.ask.rays;
-  result.shows_objects = options.objects;
+  FactorsResult result = factors_scene(options);
+  const bool is_short = part_count(result.patches.size()) == 1;
+  if (!is_short && !options.out.empty() && !is_stream(options.out) && can_find_factors_in_parts()) {
+    return run_factors_in_parts(options, std::move(result));
+  }
   find(result, options);
-  const std::string hint = options.scene.hint_about_normals(result.factors.counts);
-  if (!hint.empty()) static_cast<void>(std::fputs(hint.c_str(), stderr));
-  if (!options.out.empty()) write_factors(result, options.out);
-  const std::vector<double> skies = result.skies();
-  const FacetMap sky{skies, 1, "sky", "of the radiation meets no patch", "Sky view factors"};
-  if (!options.svg.empty()) write_map_svg(result, sky, options.svg, static_cast<std::size_t>(options.up[0] - 'x'));
-  if (!options.ply.empty()) write_map_ply(result, sky, options.ply);
-  // Where a file is standard output, the report goes elsewhere.
-  const auto is_output = [](const std::string& path) { return !path.empty() && is_standard_output(path); };
-  const bool is_taken = is_output(options.out) || is_output(options.svg) || is_output(options.ply);
-  std::fputs(format_report(result, report_format(options.format)).c_str(), is_taken ? stderr : stdout);
+  write_factors(result, options);
 }
 
 }  // namespace
@@ -142,7 +117,8 @@ void add_factors(CLI::App& program) {
       "The view factor from one facet to another is the share of the radiation of the first that arrives at the\n"
       "second. Facets radiate diffusely, on the side from which their corners are seen in counterclockwise\n"
       "order. The factors of fully visible pairs are integrated. For other pairs, rays measure the visible part.\n"
-      "Ctrl-C (SIGINT) or SIGTERM ends the run early, without a file.");
+      "Ctrl-C (SIGINT) or SIGTERM ends the run early. Long runs with --out FILE keep what is finished in\n"
+      "FILE.parts/, and go on there if they are started again. Processes that mpirun starts share the work.");
   factors.callback([options] {
     options->scene.require_scene("factors");
     run(*options);

@@ -84,9 +84,10 @@ std::string text_of(const FactorsResult& result) {
     });
     text += '\n' + table.text();
   }
-  return text + fmt::format("\n{:.2f} s, {}, at most {} per pair, {} MB of memory\n", result.seconds,
-                            count(static_cast<std::size_t>(result.threads), "thread"), count(result.most_rays, "ray"),
-                            grouped((result.memory + 999'999) / 1'000'000));
+  return text + fmt::format("\n{:.2f} s, {}{}, at most {} per pair, {} MB of memory\n", result.seconds,
+                            count(static_cast<std::size_t>(result.threads), "thread"),
+                            result.ranks == 1 ? "" : fmt::format(" of {} ranks", result.ranks),
+                            count(result.most_rays, "ray"), grouped((result.memory + 999'999) / 1'000'000));
 }
 
 std::string csv_of(const FactorsResult& result) {
@@ -130,6 +131,7 @@ std::string json_of(const FactorsResult& result) {
             {"most_rays", result.most_rays},
             {"seconds", std::round(result.seconds * 1e6) / 1e6},
             {"threads", result.threads},
+            {"ranks", result.ranks},
             {"memory", result.memory}};
   if (result.shows_objects) {
     Json list = Json::array();

@@ -18,7 +18,8 @@ struct FactorsResult : FacetScene {
   ViewFactors factors{};
   std::uint32_t most_rays = 0;
   double seconds = 0;
-  int threads = 0;
+  int threads = 0;  ///< of all ranks
+  int ranks = 1;
   std::uint64_t memory = 0;  ///< the most bytes that the program had
   bool shows_objects = false;
 

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "batch/launcher.hpp"
 #include "number.hpp"
 #include "peak_memory.hpp"
 #include "sees_estimate.hpp"
@@ -25,7 +26,7 @@ namespace {
 
 void run(const SeesOptions& options) {
   SeesJob job(options);
-  if (is_launched()) return run_on_launched_ranks(job);
+  if (batch::is_launched()) return run_on_launched_ranks(job);
   job.check();
   options.isa.select();
   job.prepare();
@@ -55,7 +56,7 @@ std::string progress_text(const VisibilityProgress& progress, double seconds) {
                             std::ceil(seconds * (1 / share - 1)));
 }
 
-SeesReport run_sees(const SeesScene& scene, const SeesBlocks& patches, SeesWork work, const std::string& source,
+SeesReport run_sees(const SeesScene& scene, const PatchSet& patches, SeesWork work, const std::string& source,
                     const std::string& out, std::span<SightSink* const> sinks, Progress& progress,
                     const InterruptWatch& interrupt) {
   progress.milestone(announcement(source, scene, patches));

@@ -13,7 +13,7 @@ namespace shaftcull::cli {
 
 /// Asks about a scene with the caller's threads and reports; `work` has no progress callback yet, and `out` is the file
 /// that a sink writes, if one does. Throws Interrupted if a signal ends it.
-[[nodiscard]] SeesReport run_sees(const SeesScene& scene, const SeesBlocks& patches, SeesWork work,
+[[nodiscard]] SeesReport run_sees(const SeesScene& scene, const PatchSet& patches, SeesWork work,
                                   const std::string& source, const std::string& out, std::span<SightSink* const> sinks,
                                   Progress& progress, const InterruptWatch& interrupt);
 

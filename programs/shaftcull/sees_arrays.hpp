@@ -24,7 +24,7 @@ struct AnswerArray {
 /// `first_candidate` and behind it `candidates` if those are wanted.
 [[nodiscard]] std::vector<AnswerArray> answer_arrays(const SightContent& content);
 
-/// What `first_candidate` begins with, before the first unit.
+/// What `first_candidate` begins with, before the first part.
 constexpr std::uint64_t no_candidate_before = 0;
 
 /// An array that is known before anything is asked.

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "part_count.hpp"
 #include "patch_rays.hpp"
 #include "printable.hpp"
 #include "shaftcull/many.hpp"
@@ -64,7 +65,7 @@ struct Sample {
 
 class Sampler {
  public:
-  Sampler(const SeesScene& scene, const SeesBlocks& patches, const SeesWork& work)
+  Sampler(const SeesScene& scene, const PatchSet& patches, const SeesWork& work)
       : scene_(scene),
         work_(work),
         a_(sampled(scene, patches.order(), false)),
@@ -189,19 +190,19 @@ std::string duration(double seconds) {
 
 }  // namespace
 
-std::string announcement(const std::string& source, const SeesScene& scene, const SeesBlocks& patches) {
+std::string announcement(const std::string& source, const SeesScene& scene, const PatchSet& patches) {
   const WorldPoint& origin = scene.mesh.origin;
   const std::string relative =
       origin == WorldPoint{} ? ""
                              : fmt::format("\nCoordinates are relative to {}, {}, {}", origin[0], origin[1], origin[2]);
   return fmt::format("{}: {} patches, {} pairs{}{}", printable(source), grouped(patches.size()),
-                     grouped(patches.pairs()), relative, coarseness(scene));
+                     grouped(pair_count(patches.size())), relative, coarseness(scene));
 }
 
-std::string estimate(const SeesScene& scene, const SeesBlocks& patches, const SeesWork& work, const std::string& out,
+std::string estimate(const SeesScene& scene, const PatchSet& patches, const SeesWork& work, const std::string& out,
                      bool delivers, int ranks) {
-  if (patches.pairs() * (1 + std::uint64_t{work.content.rays}) < few_pairs) return {};
-  const double pairs = static_cast<double>(patches.pairs());
+  if (pair_count(patches.size()) * (1 + std::uint64_t{work.content.rays}) < few_pairs) return {};
+  const double pairs = static_cast<double>(pair_count(patches.size()));
   const Sample sample = Sampler(scene, patches, work).take(delivers || work.content.rays != 0);
   const double seconds = sample.seconds * pairs / static_cast<double>(sample.pairs) / ranks;
   if (out.empty() && seconds < moment) return {};

@@ -35,7 +35,7 @@ void SeesJob::check() const {
 
 void SeesJob::prepare() {
   scene_.emplace(make_sees_scene(options_.scene.load(), options_.scene.choice, source_));
-  patches_.emplace(*scene_);
+  patches_.emplace(scene_->patch_set());
 }
 
 SeesWork SeesJob::work() const { return {options_.content, options_.scene.seed, options_.megabytes << 20, {}, {}}; }

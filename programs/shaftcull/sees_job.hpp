@@ -50,7 +50,7 @@ class SeesJob {
   [[nodiscard]] const SeesOptions& options() const noexcept { return options_; }
   [[nodiscard]] const std::string& source() const noexcept { return source_; }
   [[nodiscard]] const SeesScene& scene() const { return *scene_; }
-  [[nodiscard]] const SeesBlocks& patches() const { return *patches_; }
+  [[nodiscard]] const PatchSet& patches() const { return *patches_; }
   [[nodiscard]] SeesWork work() const;
 
   /// Opens the file of answers that is to be written; answers go to these sinks. For one process that has all answers.
@@ -67,7 +67,7 @@ class SeesJob {
   const SeesOptions& options_;
   std::string source_;  ///< what messages call the scene
   std::optional<SeesScene> scene_;
-  std::optional<SeesBlocks> patches_;
+  std::optional<PatchSet> patches_;
   std::vector<SightSink*> sinks_;
   std::unique_ptr<SightSink> file_;
   std::vector<SummingSink*> sums_;

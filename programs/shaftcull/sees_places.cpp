@@ -6,6 +6,7 @@
 
 #include "crc32.hpp"
 #include "npz_layout.hpp"
+#include "part_count.hpp"
 #include "sees_arrays.hpp"
 #include "sees_csv.hpp"
 
@@ -21,19 +22,19 @@ std::uint64_t sum_before(std::span<std::uint64_t> numbers) {
   return sum;
 }
 
-/// Arrays of answers get rows from each unit; those of the scene are other pieces.
+/// Arrays of answers get rows from each part; those of the scene are other pieces.
 class NpzPlaces final : public SightPlaces {
  public:
-  NpzPlaces(const SeesScene& scene, const SeesBlocks& patches, const SightContent& content)
-      : units_(patches.units()),
+  NpzPlaces(const SeesScene& scene, const PatchSet& patches, const SightContent& content)
+      : parts_(part_count(patches.size())),
         answers_(answer_arrays(content)),
         scene_(scene_arrays(scene, patches.order(), content)),
-        rows_(answers_.size() * units_),
-        crcs_(answers_.size() * units_ + scene_.size()) {}
+        rows_(answers_.size() * parts_),
+        crcs_(answers_.size() * parts_ + scene_.size()) {}
 
-  void measure(std::size_t unit, const UnitAnswer& answer) override {
+  void measure(std::size_t part, const PartAnswer& answer) override {
     for (std::size_t array = 0; array != answers_.size(); ++array) {
-      rows_[array * units_ + unit] = rows_of(answer, array).size() / answers_[array].format.row_bytes();
+      rows_[array * parts_ + part] = rows_of(answer, array).size() / answers_[array].format.row_bytes();
     }
   }
 
@@ -41,7 +42,7 @@ class NpzPlaces final : public SightPlaces {
 
   void arrange() override {
     for (std::size_t array = 0; array != answers_.size(); ++array) {
-      const std::uint64_t rows = sum_before(std::span(rows_).subspan(array * units_, units_));
+      const std::uint64_t rows = sum_before(std::span(rows_).subspan(array * parts_, parts_));
       layout_.add(answers_[array].format, rows + first_row_of(array));
       all_rows_.push_back(rows);
     }
@@ -58,20 +59,20 @@ class NpzPlaces final : public SightPlaces {
       numbers.append(bytes);
     });
     numbers.finish();
-    crcs_[answers_.size() * units_ + piece] = crc;
+    crcs_[answers_.size() * parts_ + piece] = crc;
   }
 
-  void write_unit(std::size_t unit, const UnitAnswer& answer, batch::WrittenFile& file) override {
+  void write_part(std::size_t part, const PartAnswer& answer, batch::WrittenFile& file) override {
     for (std::size_t array = 0; array != answers_.size(); ++array) {
       std::span<const std::byte> rows = rows_of(answer, array);
       std::vector<std::uint64_t> ends;
       if (answers_[array].kind == AnswerKind::first_candidate) {
         ends = answer.ends;
-        for (std::uint64_t& end : ends) end += rows_[(array + 1) * units_ + unit];  // candidates come next
+        for (std::uint64_t& end : ends) end += rows_[(array + 1) * parts_ + part];  // candidates come next
         rows = std::as_bytes(std::span(ends));
       }
-      crcs_[array * units_ + unit] = crc32_of(rows);
-      file.write_at(place_of(array, unit), rows);
+      crcs_[array * parts_ + part] = crc32_of(rows);
+      file.write_at(place_of(array, part), rows);
     }
   }
 
@@ -85,7 +86,7 @@ class NpzPlaces final : public SightPlaces {
       }
       crcs.push_back(crc_of_answers(array));
     }
-    for (const std::uint64_t crc : std::span(crcs_).subspan(answers_.size() * units_)) {
+    for (const std::uint64_t crc : std::span(crcs_).subspan(answers_.size() * parts_)) {
       crcs.push_back(static_cast<std::uint32_t>(crc));
     }
     const auto write = [&](std::uint64_t place, const std::string& text) {
@@ -98,8 +99,8 @@ class NpzPlaces final : public SightPlaces {
   }
 
  private:
-  /// What a unit puts into an array of answers, `first_candidate` without candidates of units before.
-  [[nodiscard]] std::span<const std::byte> rows_of(const UnitAnswer& answer, std::size_t array) const {
+  /// What a part puts into an array of answers, `first_candidate` without candidates of parts before.
+  [[nodiscard]] std::span<const std::byte> rows_of(const PartAnswer& answer, std::size_t array) const {
     switch (answers_[array].kind) {
       case AnswerKind::blocks:
         return std::as_bytes(std::span(answer.blocks));
@@ -115,13 +116,13 @@ class NpzPlaces final : public SightPlaces {
     return std::as_bytes(std::span(answer.candidates));
   }
 
-  /// How many rows an array has before those of units: `first_candidate` one, of no candidate.
+  /// How many rows an array has before those of parts: `first_candidate` one, of no candidate.
   [[nodiscard]] std::uint64_t first_row_of(std::size_t array) const {
     return answers_[array].kind == AnswerKind::first_candidate ? 1 : 0;
   }
 
-  [[nodiscard]] std::uint64_t place_of(std::size_t array, std::size_t unit) const {
-    const std::uint64_t before = rows_[array * units_ + unit] + first_row_of(array);
+  [[nodiscard]] std::uint64_t place_of(std::size_t array, std::size_t part) const {
+    const std::uint64_t before = rows_[array * parts_ + part] + first_row_of(array);
     return layout_.place_of_numbers(array) + before * answers_[array].format.row_bytes();
   }
 
@@ -129,39 +130,39 @@ class NpzPlaces final : public SightPlaces {
     std::uint32_t crc = 0;
     if (first_row_of(array) == 1) crc = crc32_of(std::as_bytes(std::span(&no_candidate_before, 1)));
     const auto of_units = [&](const std::vector<std::uint64_t>& numbers) {
-      return std::span(numbers).subspan(array * units_, units_);
+      return std::span(numbers).subspan(array * parts_, parts_);
     };
     const std::span<const std::uint64_t> begins = of_units(rows_);
     const std::span<const std::uint64_t> crcs = of_units(crcs_);
-    for (std::size_t unit = 0; unit != units_; ++unit) {
-      const std::uint64_t end = unit + 1 != units_ ? begins[unit + 1] : all_rows_[array];
-      crc = joined_crc32(crc, static_cast<std::uint32_t>(crcs[unit]),
-                         (end - begins[unit]) * answers_[array].format.row_bytes());
+    for (std::size_t part = 0; part != parts_; ++part) {
+      const std::uint64_t end = part + 1 != parts_ ? begins[part + 1] : all_rows_[array];
+      crc = joined_crc32(crc, static_cast<std::uint32_t>(crcs[part]),
+                         (end - begins[part]) * answers_[array].format.row_bytes());
     }
     return crc;
   }
 
-  std::size_t units_;
+  std::size_t parts_;
   std::vector<AnswerArray> answers_;
   std::vector<SceneArray> scene_;
-  std::vector<std::uint64_t> rows_;  ///< of each array that of each unit; when places are found, of units before it
-  std::vector<std::uint64_t> crcs_;  ///< of numbers, likewise of each unit; then those of each array of the scene
+  std::vector<std::uint64_t> rows_;  ///< of each array that of each part; when places are found, of parts before it
+  std::vector<std::uint64_t> crcs_;  ///< of numbers, likewise of each part; then those of each array of the scene
   std::vector<std::uint64_t> all_rows_;
   NpzLayout layout_;
 };
 
-/// Lines of certain pairs of all units, then those of undecided pairs; the heading is the other piece.
+/// Lines of certain pairs of all parts, then those of undecided pairs; the heading is the other piece.
 class CsvPlaces final : public SightPlaces {
  public:
-  CsvPlaces(const SeesBlocks& patches, std::uint32_t rays)
-      : order_(patches.order()), rays_(rays), units_(patches.units()), bytes_(2 * units_) {}
+  CsvPlaces(const PatchSet& patches, std::uint32_t rays)
+      : order_(patches.order()), rays_(rays), parts_(part_count(patches.size())), bytes_(2 * parts_) {}
 
-  void measure(std::size_t unit, const UnitAnswer& answer) override {
+  void measure(std::size_t part, const PartAnswer& answer) override {
     CsvLength length(order_, rays_);
     SightSink* const sinks[] = {&length};
     hand_over(answer, sinks);
-    bytes_[unit] = length.certain();
-    bytes_[units_ + unit] = length.undecided();
+    bytes_[part] = length.certain();
+    bytes_[parts_ + part] = length.undecided();
   }
 
   std::span<std::uint64_t> lengths() override { return bytes_; }
@@ -177,9 +178,9 @@ class CsvPlaces final : public SightPlaces {
     file.write_at(0, std::as_bytes(std::span(csv_heading(rays_))));
   }
 
-  void write_unit(std::size_t unit, const UnitAnswer& answer, batch::WrittenFile& file) override {
-    PlacedBytes certain(file, bytes_[unit]);
-    PlacedBytes undecided(file, bytes_[units_ + unit]);
+  void write_part(std::size_t part, const PartAnswer& answer, batch::WrittenFile& file) override {
+    PlacedBytes certain(file, bytes_[part]);
+    PlacedBytes undecided(file, bytes_[parts_ + part]);
     const auto into = [](PlacedBytes& bytes) {
       return [&bytes](std::string_view text) { bytes.append(std::as_bytes(std::span(text))); };
     };
@@ -196,8 +197,8 @@ class CsvPlaces final : public SightPlaces {
  private:
   std::span<const std::uint32_t> order_;
   std::uint32_t rays_;
-  std::size_t units_;
-  /// Of each unit those of lines of certain pairs, then likewise of undecided ones; when places are found, where they
+  std::size_t parts_;
+  /// Of each part those of lines of certain pairs, then likewise of undecided ones; when places are found, where they
   /// begin.
   std::vector<std::uint64_t> bytes_;
 };
@@ -221,7 +222,7 @@ void PlacedBytes::finish() {
   waiting_.clear();
 }
 
-std::unique_ptr<SightPlaces> sight_places(const std::string& path, const SeesScene& scene, const SeesBlocks& patches,
+std::unique_ptr<SightPlaces> sight_places(const std::string& path, const SeesScene& scene, const PatchSet& patches,
                                           const SightContent& content) {
   if (sight_form(path, patches.size()) == SightForm::npz) return std::make_unique<NpzPlaces>(scene, patches, content);
   require_no_candidates(path, content);

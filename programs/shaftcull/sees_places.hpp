@@ -14,8 +14,8 @@
 
 namespace shaftcull::cli {
 
-/// Where in a file the answers of units go, and what else there is in it. Each process has one of these. First all
-/// units are measured, then numbers are added up over the processes and places found, then pieces are written, by any
+/// Where in a file the answers of parts go, and what else there is in it. Each process has one of these. First all
+/// parts are measured, then numbers are added up over the processes and places found, then pieces are written, by any
 /// process and in any order; last, one process writes what depends on all. Then the file is, bit for bit, what
 /// sight_file() makes.
 class SightPlaces {
@@ -25,18 +25,18 @@ class SightPlaces {
   SightPlaces& operator=(const SightPlaces&) = delete;
   virtual ~SightPlaces() = default;
 
-  /// Notes how long the part of a unit is. Each unit is measured by one process.
-  virtual void measure(std::size_t unit, const UnitAnswer& answer) = 0;
+  /// Notes how long the part of a part is. Each part is measured by one process.
+  virtual void measure(std::size_t part, const PartAnswer& answer) = 0;
   /// What was noted, 0 for what others have. To be added up over the processes.
   [[nodiscard]] virtual std::span<std::uint64_t> lengths() = 0;
-  /// Finds all places, when lengths() are those of all units.
+  /// Finds all places, when lengths() are those of all parts.
   virtual void arrange() = 0;
 
-  /// How many pieces there are besides those of units.
+  /// How many pieces there are besides those of parts.
   [[nodiscard]] virtual std::size_t other_pieces() const = 0;
   /// Both throw std::runtime_error if it cannot be written. Threads may write different pieces at the same time.
   virtual void write_other(std::size_t piece, batch::WrittenFile& file) = 0;
-  virtual void write_unit(std::size_t unit, const UnitAnswer& answer, batch::WrittenFile& file) = 0;
+  virtual void write_part(std::size_t part, const PartAnswer& answer, batch::WrittenFile& file) = 0;
 
   /// What complete() has to know of pieces that were written, 0 of those that others wrote. To be added up.
   [[nodiscard]] virtual std::span<std::uint64_t> sums() = 0;
@@ -44,10 +44,10 @@ class SightPlaces {
   virtual void complete(batch::WrittenFile& file) const = 0;
 };
 
-/// For such a file as sight_file() makes, not a stream; of so many units. Throws as that does, but makes no file.
+/// For such a file as sight_file() makes, not a stream; of so many parts. Throws as that does, but makes no file.
 /// Refers to the scene and the order.
 [[nodiscard]] std::unique_ptr<SightPlaces> sight_places(const std::string& path, const SeesScene& scene,
-                                                        const SeesBlocks& patches, const SightContent& content);
+                                                        const PatchSet& patches, const SightContent& content);
 
 /// Writes bytes one behind the other from some place on, many at a time.
 class PlacedBytes {

@@ -6,10 +6,7 @@
 
 namespace shaftcull::cli {
 
-/// Whether a launcher of MPI, or srun, started this process.
-[[nodiscard]] bool is_launched() noexcept;
-
-/// All ranks that were launched do a job: units of its patches are dealt to whoever is free, and are kept in the folder
+/// All ranks that were launched do a job: parts of its patches are dealt to whoever is free, and are kept in the folder
 /// FILE.parts/ until all are there; then ranks write them to their places in the file, which does not depend on the
 /// number of ranks, and the first one draws the picture. A job that was ended is gone on with. Without a file nothing
 /// is kept, and counts alone are added. Throws EarlyExit when one rank has told what cannot be used; InvalidArgument in

@@ -6,13 +6,14 @@
 #include <mutex>
 #include <utility>
 
+#include "part_count.hpp"
 #include "patch_rays.hpp"
 
 namespace shaftcull::cli {
 
 /// How many rays of undecided pairs arrive, found where resolve() is called, by many threads, and taken where answers
 /// are delivered. Pairs stay undecided for the library: rays are no proof.
-class UnitQuestion::RayAnswers {
+class PartQuestion::RayAnswers {
  public:
   RayAnswers(const SeesScene& scene, const SeesWork& work)
       : rays_(scene, work.content.rays, work.seed), stops_(work.stops) {}
@@ -65,10 +66,10 @@ class UnitQuestion::RayAnswers {
 
 namespace {
 
-/// Keeps what a unit answers.
-class UnitKeeper final : public SightSink {
+/// Keeps what a part answers.
+class PartKeeper final : public SightSink {
  public:
-  explicit UnitKeeper(UnitAnswer& answer) : answer_(answer) {}
+  explicit PartKeeper(PartAnswer& answer) : answer_(answer) {}
 
   void take(const SightBatch& batch, std::span<const std::uint32_t> seen) override {
     for (const PairBlock& block : batch.blocks) {
@@ -87,15 +88,13 @@ class UnitKeeper final : public SightSink {
   void finish() override {}
 
  private:
-  UnitAnswer& answer_;
+  PartAnswer& answer_;
 };
 
 }  // namespace
 
 SeesCounts& SeesCounts::operator+=(const SeesCounts& more) noexcept {
-  for (const Sight sight : {Sight::undecided, Sight::clear, Sight::occluded, Sight::facing_away}) {
-    sights.of(sight) += more.sights.of(sight);
-  }
+  sights += more.sights;
   visible += more.visible;
   partial += more.partial;
   hidden += more.hidden;
@@ -110,7 +109,7 @@ SeesCounts SeesCounts::of(std::span<const std::uint64_t, 7> numbers) noexcept {
   return {{numbers[0], numbers[1], numbers[2], numbers[3]}, numbers[4], numbers[5], numbers[6]};
 }
 
-UnitQuestion::UnitQuestion(const SeesScene& scene, const SeesBlocks& patches, const SeesWork& work)
+PartQuestion::PartQuestion(const SeesScene& scene, const PatchSet& patches, const SeesWork& work)
     : scene_(scene), patches_(patches), content_(work.content) {
   options_.memory = work.memory;
   options_.tolerance = scene.tolerance;
@@ -122,15 +121,17 @@ UnitQuestion::UnitQuestion(const SeesScene& scene, const SeesBlocks& patches, co
   options_.resolve = [this](const UndecidedPairs& undecided, std::span<Sight>) { ray_answers_->find(undecided); };
 }
 
-UnitQuestion::~UnitQuestion() = default;
+PartQuestion::~PartQuestion() = default;
 
-SeesCounts UnitQuestion::deliver(std::size_t unit, std::span<SightSink* const> sinks,
+SeesCounts PartQuestion::deliver(std::size_t part, std::span<SightSink* const> sinks,
                                  const std::function<bool(const VisibilityProgress&)>& progress) {
   SeesCounts counts;
   VisibilityOptions options = options_;
   options.progress = progress;
+  options.part = static_cast<std::uint32_t>(part);
+  options.parts = part_count(patches_.size());
   if (content_.rays == 0 && sinks.empty()) {
-    counts.sights = patches_.count(unit, scene_.occluders, options);
+    counts.sights = count_visibility(patches_, scene_.occluders, options);
     return counts;
   }
   const auto take = [&](const SightBatch& batch) {
@@ -143,39 +144,40 @@ SeesCounts UnitQuestion::deliver(std::size_t unit, std::span<SightSink* const> s
     if (!content_.candidates) wanted.undecided = {batch.undecided.pairs, {}, {}};  // they were for rays
     for (SightSink* const sink : sinks) sink->take(wanted, seen);
   };
-  counts.sights = patches_.answer(unit, scene_.occluders, take, options);
+  counts.sights = visibility(patches_, scene_.occluders, take, options);
   return counts;
 }
 
-SeesCounts find_what_sees(const SeesScene& scene, const SeesBlocks& patches, const SeesWork& work,
+SeesCounts find_what_sees(const SeesScene& scene, const PatchSet& patches, const SeesWork& work,
                           std::span<SightSink* const> sinks) {
-  UnitQuestion question(scene, patches, work);
+  PartQuestion question(scene, patches, work);
   SeesCounts counts;
-  const std::uint64_t total = patches.pairs();
+  const std::uint64_t total = pair_count(patches.size());
   std::uint64_t before = 0;
   std::function<bool(const VisibilityProgress&)> progress;
   if (work.progress) {
     progress = [&](const VisibilityProgress& now) { return work.progress({before + now.done, total}); };
   }
-  for (std::size_t unit = 0; unit != patches.units(); ++unit) {
-    counts += question.deliver(unit, sinks, progress);
-    before += patches.pairs_of(unit);
+  for (std::size_t part = 0; part != part_count(patches.size()); ++part) {
+    const SeesCounts some = question.deliver(part, sinks, progress);
+    counts += some;
+    before += some.sights.total();
   }
   for (SightSink* const sink : sinks) sink->finish();
   return counts;
 }
 
-UnitAnswer answer_of(UnitQuestion& question, std::size_t unit) {
-  UnitAnswer answer;
-  UnitKeeper keeper(answer);
+PartAnswer answer_of(PartQuestion& question, std::size_t part) {
+  PartAnswer answer;
+  PartKeeper keeper(answer);
   SightSink* const sinks[] = {&keeper};
-  const SeesCounts counts = question.deliver(unit, sinks, {});
+  const SeesCounts counts = question.deliver(part, sinks, {});
   const SeesCounts::Numbers numbers = counts.numbers();
   answer.counts.assign(numbers.begin(), numbers.end());
   return answer;
 }
 
-SeesCounts hand_over(const UnitAnswer& answer, std::span<SightSink* const> sinks) {
+SeesCounts hand_over(const PartAnswer& answer, std::span<SightSink* const> sinks) {
   const SeesCounts counts = SeesCounts::of(std::span(answer.counts).first<7>());
   if (sinks.empty()) return counts;
   std::vector<PairBlock> blocks;

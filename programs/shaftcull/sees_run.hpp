@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "output_file.hpp"
-#include "sees_blocks.hpp"
 #include "sees_scene.hpp"
 #include "shaftcull/visibility.hpp"
 
@@ -73,11 +72,11 @@ class SummingSink : public SightSink {
 };
 
 /// Asks in the caller's task_arena. Throws Cancelled if the progress callback says so, and what sinks throw.
-[[nodiscard]] SeesCounts find_what_sees(const SeesScene& scene, const SeesBlocks& patches, const SeesWork& work,
+[[nodiscard]] SeesCounts find_what_sees(const SeesScene& scene, const PatchSet& patches, const SeesWork& work,
                                         std::span<SightSink* const> sinks);
 
-/// The answers of one unit, as they are kept until those of others are there.
-struct UnitAnswer {
+/// The answers of one part, as they are kept until those of others are there.
+struct PartAnswer {
   std::vector<std::uint64_t> counts;      ///< SeesCounts::Numbers
   std::vector<std::uint32_t> blocks;      ///< five a block: runs of two patches, and what they see
   std::vector<PatchPair> undecided;       ///< pairs
@@ -92,23 +91,23 @@ struct UnitAnswer {
   }
 };
 
-/// Asks about units one by one, in the caller's task_arena.
-class UnitQuestion {
+/// Asks about parts one by one, in the caller's task_arena.
+class PartQuestion {
  public:
-  UnitQuestion(const SeesScene& scene, const SeesBlocks& patches, const SeesWork& work);
-  UnitQuestion(const UnitQuestion&) = delete;
-  UnitQuestion& operator=(const UnitQuestion&) = delete;
-  ~UnitQuestion();
+  PartQuestion(const SeesScene& scene, const PatchSet& patches, const SeesWork& work);
+  PartQuestion(const PartQuestion&) = delete;
+  PartQuestion& operator=(const PartQuestion&) = delete;
+  ~PartQuestion();
 
   /// Hands answers to sinks while they come. `progress` may be empty.
-  SeesCounts deliver(std::size_t unit, std::span<SightSink* const> sinks,
+  SeesCounts deliver(std::size_t part, std::span<SightSink* const> sinks,
                      const std::function<bool(const VisibilityProgress&)>& progress);
 
  private:
   class RayAnswers;
 
   const SeesScene& scene_;
-  const SeesBlocks& patches_;
+  const PatchSet& patches_;
   VisibilityOptions options_;
   SightContent content_;
   std::unique_ptr<RayAnswers> ray_answers_;
@@ -119,11 +118,11 @@ class UnitQuestion {
   return undecided.first_candidate.empty() ? undecided.first_candidate : undecided.first_candidate.subspan(1);
 }
 
-/// All answers of a unit.
-[[nodiscard]] UnitAnswer answer_of(UnitQuestion& question, std::size_t unit);
+/// All answers of a part.
+[[nodiscard]] PartAnswer answer_of(PartQuestion& question, std::size_t part);
 
 /// Hands such answers to sinks, and gives their counts.
-SeesCounts hand_over(const UnitAnswer& answer, std::span<SightSink* const> sinks);
+SeesCounts hand_over(const PartAnswer& answer, std::span<SightSink* const> sinks);
 
 /// What kinds of files of answers there are.
 enum class SightForm : std::uint8_t { npz, csv };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -242,6 +243,12 @@ float rounding_of_planes(std::span<const Box> boxes, double width) {
 }
 
 }  // namespace
+
+PatchSet SeesScene::patch_set() const {
+  std::vector<std::uint32_t> each(patches.size());
+  std::iota(each.begin(), each.end(), 0U);
+  return patch_set(each);
+}
 
 PatchSet SeesScene::patch_set(std::span<const std::uint32_t> some) const {
   if (!outlines.empty()) return outlines.set_of(some, planes.empty() ? PatchSides::both : PatchSides::front);

@@ -48,7 +48,8 @@ struct SeesScene {
   std::vector<std::vector<std::uint32_t>> occluder_triangles;
   SeesSolids solids;
 
-  /// Some of the patches, for the library.
+  /// The patches, for the library: all, or some of them.
+  [[nodiscard]] PatchSet patch_set() const;
   [[nodiscard]] PatchSet patch_set(std::span<const std::uint32_t> some) const;
   /// The object that an occluder is, or is part of.
   [[nodiscard]] std::uint32_t object_of_occluder(std::size_t occluder) const {

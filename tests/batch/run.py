@@ -26,6 +26,7 @@ except ImportError as missing:
     print(f"skipped: {missing}")
     sys.exit(77)
 
+from factors import factors_cases
 from launched import can_launch, content, kill_one, launch, program, stored_blocks
 from sees import sees_cases
 
@@ -492,8 +493,8 @@ def model():
 
 
 cases = {"model": model, "numpy": against_numpy, "doubles": of_doubles, "ranks": on_ranks, "killed": killed, "errors": errors,
-         "trees": trees, "memory": memory, **sees_cases}
-if case in ("ranks", *sees_cases) and not can_launch():
+         "trees": trees, "memory": memory, **sees_cases, **factors_cases}
+if case in ("ranks", *sees_cases, *factors_cases) and not can_launch():
     print("skipped: no mpirun that starts ranks")
     sys.exit(77)
 # In memory, where that is: nothing here depends on a disk, and other tests may keep it busy.

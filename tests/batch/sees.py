@@ -11,8 +11,8 @@ from launched import content, kill_one, launch, program, stored_blocks
 
 npz = ["--out", "seen.npz"]
 both = [*npz, "--candidates", "--svg", "seen.svg", "--ply", "seen.ply"]
-scene = ["--rooms", "4", "--patches", "0.6", "--solid", "wall*", "table*"]  # 6 units of work
-units = 6
+scene = ["--rooms", "4", "--patches", "0.6", "--solid", "wall*", "table*"]  # 21 parts
+parts = 21
 
 
 def sees(ranks, *more, words=scene, **around):
@@ -101,7 +101,7 @@ def refused():
 
 def csv():
     """Lines of text, whose lengths differ."""
-    small = ["--rooms", "3", "--patches", "0.75", "--solid", "wall*", "table*", "--out", "seen.csv"]  # 3 units
+    small = ["--rooms", "3", "--patches", "0.75", "--solid", "wall*", "table*", "--out", "seen.csv"]  # 5 parts
     for more, several in ([["--rays", "12"], (1, 2, 3, 5)], [[], (2,)]):
         found_by(0, *more, words=small)
         whole = take_files()
@@ -122,7 +122,7 @@ def turned():
                 u, v = x + size * along, y + size * across
                 file.write(f"v {0.8 * u - 0.6 * v:.9g} {0.6 * u + 0.8 * v:.9g} {size * z:.9g}\n")
             file.write("f -8 -6 -5 -7\nf -4 -3 -1 -2\nf -8 -7 -3 -4\nf -6 -2 -1 -5\nf -8 -4 -2 -6\nf -7 -5 -1 -3\n")
-    crates = ["scene/crates.obj", "--patches", "0.5"]  # 6 units
+    crates = ["scene/crates.obj", "--patches", "0.5"]
     report = found_by(0, *both, words=crates)
     assert report["tolerance"] > 0 and report["pairs"]["clear"] > 0 and report["pairs"]["occluded"] > 0, report
     whole = take_files()
@@ -177,7 +177,7 @@ def without_room(whole):
         done = subprocess.run([*limited(ranks, megabytes), *command], capture_output=True, text=True, timeout=120, check=False)
         assert done.returncode == 1 and len(own_lines(done)) == 1 and full in own_lines(done)[0], done
         assert os.listdir() == ["seen.npz.parts"]
-        assert stored_blocks("seen.npz.parts") == units and not os.path.exists("seen.npz.parts/result")
+        assert stored_blocks("seen.npz.parts") == parts and not os.path.exists("seen.npz.parts/result")
     # Now rank 0 could write all, but it does not: others have their part of it.
     mixed = subprocess.run([*launch(1), *command, ":", *limited(2, 16)[1:], *command], capture_output=True, text=True,
                            timeout=120, check=False)
@@ -187,7 +187,7 @@ def without_room(whole):
     with open("seen.npz.parts/result", "wb") as file:
         file.write(b"x" * (len(whole["seen.npz"]) + 1000))
     done = sees(2, *both, "--rays", 3)
-    assert done.returncode == 0 and f"compute: {units} of {units} blocks (" in done.stderr, done
+    assert done.returncode == 0 and f"compute: {parts} of {parts} blocks (" in done.stderr, done
     assert take_files() == whole
     assert not os.listdir()
 
@@ -199,7 +199,7 @@ def asked_to_end(whole):
         kill_one(running, random.Random(1), is_written, signal.SIGTERM)
     if running.returncode != 0:
         assert running.returncode == 128 + signal.SIGTERM, running.returncode
-        assert os.listdir() == ["seen.npz.parts"] and stored_blocks("seen.npz.parts") == units
+        assert os.listdir() == ["seen.npz.parts"] and stored_blocks("seen.npz.parts") == parts
         assert not is_written()
         assert sees(3, *both, "--rays", 3).returncode == 0
     assert take_files() == whole

@@ -19,7 +19,8 @@ if(SHAFTCULL_SYSTEM_PYTHON)
   if(MPI_CXX_FOUND AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")  # Open MPI leaves memory behind, which would be told
     set(launcher ${MPIEXEC_EXECUTABLE})
   endif()
-  foreach(case IN ITEMS model numpy doubles ranks killed trees memory errors sees sees_csv sees_ended sees_refused sees_turned)
+  foreach(case IN ITEMS model numpy doubles ranks killed trees memory errors sees sees_csv sees_ended sees_refused
+      sees_turned factors factors_ended factors_refused)
     if(case STREQUAL memory AND CMAKE_CXX_FLAGS MATCHES "-fsanitize")
       continue()  # they write to memory of their own
     endif()

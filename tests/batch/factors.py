@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: MIT
+"""`shaftcull factors` in parts: files are those of any number of ranks, bit for bit, whatever happens on the way."""
+import json
+import os
+import random
+import signal
+import subprocess
+import time
+
+from launched import content, kill_one, launch, program, stored_blocks
+
+scene = ["--rooms", "4", "--patches", "0.3", "--rays", "16", "--error", "1"]
+npz = ["--out", "factors.npz"]
+parts = 6
+
+
+def factors(ranks, *more, words=scene, **around):
+    command = [*launch(ranks), program, "factors", "--threads", "2", *words, *map(str, more)]
+    return subprocess.run(command, capture_output=True, text=True, timeout=120, check=False, **around)
+
+
+def report_of(ranks, *more, **others):
+    done = factors(ranks, *more, "--format", "json", **others)
+    assert done.returncode == 0, done
+    report = json.loads(done.stdout)
+    return {name: value for name, value in report.items() if name not in ("seconds", "memory", "threads", "ranks")}
+
+
+def take_files():
+    """Contents of all files by name, which are removed."""
+    files = {name: content(name) for name in os.listdir() if os.path.isfile(name)}
+    for name in files:
+        os.remove(name)
+    return files
+
+
+def own_lines(done):
+    return [line for line in done.stderr.splitlines() if line.startswith("shaftcull: ")]
+
+
+def on_ranks():
+    for more in (["--svg", "sky.svg"], ["--close", "--min", "1e-5"]):
+        report = report_of(0, *npz, *more)
+        whole = take_files()
+        for ranks in (1, 2, 3):
+            assert report_of(ranks, *npz, *more) == report
+            assert take_files() == whole, (ranks, more)
+            assert not os.listdir()
+    done = factors(2, *npz, "--format", "json")
+    found = json.loads(done.stdout)
+    assert found["ranks"] == 2 and found["threads"] in (2, 4), found
+    assert f"compute: {parts} of {parts} blocks" in done.stderr, done
+    take_files()
+
+    # All at once, as where nothing is kept, factors are the same.
+    listed = factors(0, "--out", "-")
+    assert listed.returncode == 0, listed
+    assert report_of(3, "--out", "list.csv")["factors"] == listed.stdout.count("\n") - 1
+    assert take_files() == {"list.csv": listed.stdout.encode()}
+
+
+def refused():
+    refusals = {
+        "several processes share the work, which takes --out FILE": [],
+        "--out -: ranks keep finished results beside this file": ["--out", "-"],
+        "--out factors.txt: unknown kind of file": ["--out", "factors.txt"],
+    }
+    for message, more in refusals.items():
+        done = factors(3, *more)
+        assert done.returncode == 2 and len(own_lines(done)) == 1 and message in own_lines(done)[0], done
+        assert not os.listdir(), message
+    words = launch(1)
+    for option, complaint in (["--seed", "has other patches"], ["--min", "was started with other options"]):
+        mixed = subprocess.run(
+            [*words, program, "factors", *scene, *npz, ":", *words[1:], program, "factors", *scene, *npz, option, "1e-3"
+             if option == "--min" else "2"], capture_output=True, text=True, timeout=60, check=False)
+        assert mixed.returncode == 2 and complaint in mixed.stderr, mixed
+        assert not os.listdir()
+
+
+def ended():
+    report = report_of(0, *npz)
+    whole = take_files()
+
+    # Ctrl-C: what is finished stays, and is found again.
+    with subprocess.Popen([program, "factors", *scene, *npz, "--threads", "1"], stdout=subprocess.DEVNULL,
+                          stderr=subprocess.PIPE, text=True) as running:
+        while stored_blocks("factors.npz.parts") < 2 and running.poll() is None:
+            time.sleep(0.001)
+        running.send_signal(signal.SIGINT)
+        _, said = running.communicate(timeout=60)
+    assert running.returncode == 128 + signal.SIGINT, (running.returncode, said)
+    assert "finished results are in factors.npz.parts; run the same command again to resume" in said, said
+    assert os.listdir() == ["factors.npz.parts"] and 2 <= stored_blocks("factors.npz.parts") < parts
+
+    # Another question does not go on there.
+    for more, changed in ((["--seed", "2"], "scene"), (["--error", "0.5"], "error"), (["--no-solids"], "scene")):
+        done = factors(0, *npz, *more)
+        assert done.returncode == 2 and f"{changed} was" in own_lines(done)[0], done
+
+    # A block that is damaged is computed again, by any number of ranks.
+    folder = "factors.npz.parts/share-0000"
+    blocks = sorted(os.listdir(folder))
+    with open(f"{folder}/{blocks[0]}", "r+b") as file:
+        file.seek(-1, os.SEEK_END)
+        last = file.read(1)
+        file.seek(-1, os.SEEK_END)
+        file.write(bytes([last[0] ^ 1]))
+    done = factors(2, *npz)
+    assert done.returncode == 0 and f"({len(blocks) - 1} from an earlier run)" in done.stderr, done
+    assert take_files() == whole
+    assert not os.listdir()
+
+    # Ranks that are killed at random points.
+    seed = random.randrange(1 << 30)
+    print("seed", seed, flush=True)
+    chance = random.Random(seed)
+    for least in (0, 2, 5):
+        command = [*launch(chance.choice((1, 2, 3))), program, "factors", "--threads", "1", *scene, *npz]
+        with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as running:
+            kill_one(running, chance, lambda least=least: stored_blocks("factors.npz.parts") >= least)
+    assert report_of(2, *npz) == report
+    assert take_files() == whole, seed
+    assert not os.listdir()
+
+
+factors_cases = {"factors": on_ranks, "factors_refused": refused, "factors_ended": ended}
