@@ -39,13 +39,19 @@ def own_lines(done):
 
 
 def on_ranks():
-    for more in (["--svg", "sky.svg"], ["--close", "--min", "1e-5"]):
-        report = report_of(0, *npz, *more)
+    os.mkdir("scene")
+    with open("scene/room.obj", "w", encoding="ascii") as file:
+        for i in range(8):
+            file.write(f"v {i & 1} {i >> 1 & 1} {i >> 2}\n")
+        file.write("f 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4\n")
+    closed = ["scene/room.obj", "--patches", "0.04", "--close"]
+    for words, several in (([*scene, "--svg", "sky.svg"], (1, 3)), ([*scene, "--min", "1e-5"], (2,)), (closed, (2,))):
+        report = report_of(0, *npz, words=words)
         whole = take_files()
-        for ranks in (1, 2, 3):
-            assert report_of(ranks, *npz, *more) == report
-            assert take_files() == whole, (ranks, more)
-            assert not os.listdir()
+        for ranks in several:
+            assert report_of(ranks, *npz, words=words) == report
+            assert take_files() == whole, (ranks, words)
+            assert os.listdir() == ["scene"]
     done = factors(2, *npz, "--format", "json")
     found = json.loads(done.stdout)
     assert found["ranks"] == 2 and found["threads"] in (2, 4), found
@@ -94,7 +100,7 @@ def ended():
     assert os.listdir() == ["factors.npz.parts"] and 2 <= stored_blocks("factors.npz.parts") < parts
 
     # Another question does not go on there.
-    for more, changed in ((["--seed", "2"], "scene"), (["--error", "0.5"], "error"), (["--no-solids"], "scene")):
+    for more, changed in ((["--seed", "2"], "scene"), (["--min", "0.5"], "least"), (["--no-solids"], "scene")):
         done = factors(0, *npz, *more)
         assert done.returncode == 2 and f"{changed} was" in own_lines(done)[0], done
 

@@ -39,7 +39,7 @@ static_assert(sizeof(void*) != 8 || (has_no_padding<shaftcull_query> && sizeof(s
 static_assert(sizeof(void*) != 8 || has_no_padding<shaftcull_batch_planes>);
 static_assert(sizeof(void*) != 8 ||
               (has_no_padding<shaftcull_undecided_pairs> && has_no_padding<shaftcull_sight_batch>));
-static_assert(sizeof(void*) != 8 || sizeof(shaftcull_visibility_options) == 8 + 4 * 4 + 3 * 8);  // one is a float
+static_assert(sizeof(void*) != 8 || sizeof(shaftcull_visibility_options) == 8 + 6 * 4 + 3 * 8);  // one is a float
 
 // Enumerators are the same numbers in both languages, where calls rely on it.
 template <class Enum>

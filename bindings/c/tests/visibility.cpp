@@ -397,15 +397,13 @@ TEST(CVisibility, FractionsAndViewFactorsAreThoseOfCpp) {
   EXPECT_TRUE(std::ranges::any_of(lit, [](float part) { return part > 0 && part < 1; }));
 
   const ViewFactorOptions cpp_options{
-      .rays = 256, .error = 1e-4, .seed = 9, .least = 1e-4, .tolerance = 0.01F, .part = 1, .parts = 2, .progress = {}};
+      .rays = 256, .error = 1e-4, .seed = 9, .least = 1e-4, .tolerance = 0.01F, .progress = {}};
   shaftcull_view_factor_options options = shaftcull_default_view_factor_options();
   options.rays = 256;
   options.error = 1e-4;
   options.seed = 9;
   options.least = 1e-4;
   options.tolerance = 0.01F;
-  options.part = 1;
-  options.parts = 2;
   const ViewFactors factors = view_factors(cpp, occluders_cpp, cpp_options);
   const auto matrix = made<FactorMatrixHandle>(shaftcull_view_factors, static_cast<const shaftcull_patches*>(c.get()),
                                                static_cast<const shaftcull_occluders*>(occluders.get()),
@@ -427,6 +425,44 @@ TEST(CVisibility, FractionsAndViewFactorsAreThoseOfCpp) {
   expect_same(info.left_out, factors.left_out);
   expect_equal(info.counts, factors.counts);
   EXPECT_GT(*std::ranges::max_element(factors.left_out), 0);
+}
+
+TEST(CVisibility, PartsAreThoseOfCpp) {
+  std::vector<Vec3> corners;
+  std::vector<std::size_t> first{0};
+  std::vector<std::uint64_t> c_first{0};
+  for (int i = 0; i != 300; ++i) {  // so many that they are in several groups
+    const auto x = static_cast<float>(i % 20);
+    const auto y = static_cast<float>(i / 20);
+    const float z = i % 2 == 0 ? 0.0F : 5.0F;
+    const Vec3 square[] = {{x, y, z}, {x + 1, y, z}, {x + 1, y + 1, z}, {x, y + 1, z}};
+    for (std::size_t k = 0; k != 4; ++k) corners.push_back(square[z == 0 ? k : 3 - k]);
+    first.push_back(corners.size());
+    c_first.push_back(corners.size());
+  }
+  const PatchSet cpp(corners, first);
+  const auto c = made<PatchesHandle>(shaftcull_patches_create_polygons, corners[0].data(),
+                                     std::uint64_t{corners.size()}, c_first.data(), std::uint64_t{first.size() - 1},
+                                     shaftcull_patch_sides{SHAFTCULL_PATCH_FRONT});
+  const auto nothing = made<OccludersHandle>(shaftcull_occluders_create);
+  shaftcull_visibility_options options = shaftcull_default_visibility_options();
+  shaftcull_view_factor_options of_factors = shaftcull_default_view_factor_options();
+  options.parts = of_factors.parts = 4;
+  std::uint64_t with_pairs = 0;
+  for (std::uint32_t part = 0; part != 4; ++part) {
+    options.part = of_factors.part = part;
+    shaftcull_sight_counts counts{};
+    ok(shaftcull_visibility(c.get(), nullptr, nothing.get(), &options, nullptr, nullptr, &counts));
+    expect_equal(counts, count_visibility(cpp, {}, {.part = part, .parts = 4, .resolve = {}, .progress = {}}));
+    with_pairs += counts.clear != 0 ? 1 : 0;
+    const auto matrix = made<FactorMatrixHandle>(shaftcull_view_factors, static_cast<const shaftcull_patches*>(c.get()),
+                                                 static_cast<const shaftcull_occluders*>(nothing.get()),
+                                                 static_cast<const shaftcull_view_factor_options*>(&of_factors));
+    const auto info =
+        described(shaftcull_factor_matrix_describe, static_cast<const shaftcull_factor_matrix*>(matrix.get()));
+    EXPECT_EQ(info.factors, 2 * counts.clear);
+  }
+  EXPECT_GT(with_pairs, 1U);
 }
 
 TEST(CVisibility, DefaultOptionsAreThoseOfCpp) {
