@@ -1017,8 +1017,8 @@ typedef struct shaftcull_visibility_options {
   uint32_t solids_around_ends;          /* 0: a solid that an end reaches into does not make a pair occluded */
   uint32_t candidates;                  /* 1: undecided pairs come with candidates */
   float tolerance;                      /* how far in front of a plane counts as behind it (visibility.hpp) */
-  uint32_t part;                        /* the call answers one part of all pairs: this one, below `parts` */
-  uint32_t parts;                       /* of so many (visibility.hpp) */
+  uint32_t part;                        /* the part of all pairs to answer, 0 to parts - 1 (visibility.hpp) */
+  uint32_t parts;                       /* number of parts, 1 or more; 1: all pairs */
   shaftcull_resolve_callback resolve;   /* or NULL */
   shaftcull_progress_callback progress; /* or NULL */
   void* user;                           /* passed to both callbacks */
@@ -1122,8 +1122,8 @@ typedef struct shaftcull_view_factor_options {
   uint32_t rays;                        /* largest number of rays per undecided pair, 1 to 65536 */
   uint32_t close_rows;                  /* 1: rows are scaled to sum to 1, as those of an enclosure do */
   float tolerance;                      /* as for visibility and for rays */
-  uint32_t part;                        /* as for visibility: the matrix has the factors of this part of all pairs */
-  uint32_t parts;                       /* of so many; matrices of all parts add up; not with close_rows */
+  uint32_t part;                        /* as for visibility: the matrix has the factors of this part */
+  uint32_t parts;                       /* number of parts; add their matrices; 1 with close_rows */
   shaftcull_progress_callback progress; /* or NULL */
   void* user;                           /* passed to the callback */
 } shaftcull_view_factor_options;

@@ -3,11 +3,15 @@
 /// set that SHAFTCULL_ISA names, or the best one.
 ///
 /// sees/SCENE/PAIRS/S answers what part of S shadow rays is clear, for pairs of patches that face each other:
-/// visibility() first, then Embree's rays for what is undecided. sees/SCENE/PAIRS/S/embree traces the same rays for all
-/// of them. Pairs are those of a cluster of up to 64 patches with up to 32 others: `near` in the same room or closer
-/// than 60 m, or `anywhere`. Sets of patches are formed anew for each cluster. An item is such a pair. Answers are
-/// compared before anything is timed: of a pair that is clear no ray may meet anything, of one that is occluded every
-/// ray must.
+/// visibility() first, then visible_fractions() for what is undecided. sees/SCENE/PAIRS/S/embree traces the same rays
+/// for all of them. Pairs are those of a cluster of up to 64 patches with up to 32 others: `near` in the same room or
+/// closer than 60 m, or `anywhere`. Sets of patches are formed anew for each cluster. An item is such a pair. Answers
+/// are compared before anything is timed: of a pair that is clear no ray may meet anything, of one that is occluded
+/// every ray must.
+///
+/// sees/SCENE/undecided/TARGETS casts 16 rays for each undecided pair of these, and nothing else: against `solids`, and
+/// meshes as triangles; or against all as `triangles`, of which nothing is known, so that more pairs are undecided. An
+/// item is such a pair.
 ///
 /// sees/SCENE/occluders prepares what may hide something, as the peer's tree is prepared; an item is an occluder. It is
 /// in no other row. sees/SCENE/all counts answers for all pairs of a scene, sets formed anew; `boxes` does so with
@@ -198,6 +202,10 @@ void declare_sees(Suite& suite, const Workload& /*workload*/) {
       declare_rays(suite, rows.scene, rows.near, count, target * share);
       count *= 4;
     }
+  }
+  for (const auto& scene : {inside, outside}) {
+    declare_undecided(suite, scene, RayTargets::solids, 1.2);
+    declare_undecided(suite, scene, RayTargets::triangles, 0.8);
   }
 #else
   suite.note("sees/…/embree is not measured: this build found no Embree 3 (Debian: libembree-dev)");

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -108,6 +109,15 @@ class SeesScene {
 };
 
 #ifdef SHAFTCULL_BENCH_WITH_EMBREE
+/// Patches by their corners, counterclockwise as seen from the front: where rays begin and end.
+PatchSet polygons_of(const PatchScene& scene, std::span<const std::uint32_t> patches);
+
+/// What rays are cast against: what is solid as such and meshes as triangles, or all as triangles.
+enum class RayTargets : unsigned char { solids, triangles };
+
+/// Adds the row of 16 rays for each undecided pair, by visible_fractions() alone, and Embree's.
+void declare_undecided(Suite& suite, const std::shared_ptr<SeesScene>& sees, RayTargets targets, double target);
+
 /// Adds the row of pairs that are `near` or anywhere, for so many rays per pair, and Embree's.
 void declare_rays(Suite& suite, const std::shared_ptr<SeesScene>& sees, bool near, unsigned rays, double target);
 #endif

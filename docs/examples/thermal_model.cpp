@@ -11,10 +11,11 @@ using Values = std::vector<double>;  // one for each patch
 
 namespace {
 
-constexpr double stefan_boltzmann = 5.670374e-8;             // W/(m² K⁴)
-constexpr double sun = 700, sky_light = 90, sky_heat = 340;  // W/m², of the open sky
-constexpr sc::Vec3 to_sun{-1 / 3.0F, -2 / 3.0F, 2 / 3.0F};   // of unit length; y points north
-constexpr double insulated = 0;                              // in place of a temperature
+constexpr double stefan_boltzmann = 5.670374e-8;  // W/(m² K⁴)
+// W/m²: the sun on a surface that faces it; the light and the heat of the open sky.
+constexpr double sun = 700, sky_light = 90, sky_heat = 340;
+constexpr sc::Vec3 to_sun{-1 / 3.0F, -2 / 3.0F, 2 / 3.0F};  // of unit length; y points north
+constexpr double insulated = 0;                             // in place of a temperature
 
 // Columns × rows patches of 1 m² each. As seen from the side that radiates, the turn from the
 // unit vector `along` to the unit vector `up` is counterclockwise.

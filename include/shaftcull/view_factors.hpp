@@ -46,14 +46,14 @@ struct ViewFactorOptions {
   double least = 0;
   /// Whether rows are scaled to sum to 1, as those of an enclosure do. The exchange between patches i and j is
   /// multiplied by a number for i and a number for j, so reciprocity stays. Patches that see nothing keep empty rows.
-  /// `least` is compared before the scaling, and what was left out of a row is multiplied by the square of its number.
-  /// Not for a part of the pairs: see join_view_factors(). (Matrix balancing: R. Sinkhorn, "A Relationship Between
-  /// Arbitrary Positive Matrices and Doubly Stochastic Matrices", 1964.)
+  /// `least` is compared before the scaling. The left-out sum of row i is multiplied by the square of the number for i.
+  /// If `parts` is above 1, this must be false: join_view_factors() closes the rows of all parts. (Matrix balancing: R.
+  /// Sinkhorn, "A Relationship Between Arbitrary Positive Matrices and Doubly Stochastic Matrices", 1964.)
   bool close_rows = false;
   float tolerance = 0;                          ///< as VisibilityOptions::tolerance and RayOptions::tolerance
   std::size_t memory = std::size_t{256} << 20;  ///< as VisibilityOptions::memory; the matrix is not included
-  /// The call finds the factors of part `part` of `parts` parts of all pairs, as VisibilityOptions::part: the matrix
-  /// has both factors of each pair of the part. join_view_factors() makes one matrix of all parts.
+  /// The call finds the factors of one part of all pairs, as with VisibilityOptions::part. The matrix has both factors
+  /// of each pair in the part. join_view_factors() makes one matrix of all parts.
   std::uint32_t part = 0;
   std::uint32_t parts = 1;                                                ///< 1 or more, and above `part`
   std::function<bool(const VisibilityProgress& progress)> progress = {};  ///< as VisibilityOptions::progress
@@ -97,14 +97,17 @@ struct ViewFactors {
 [[nodiscard]] SHAFTCULL_EXPORT ViewFactors view_factors(const PatchSet& patches, const Occluders& occluders,
                                                         const ViewFactorOptions& options = {});
 
-/// Returns the matrix of all pairs from those of all parts of them (ViewFactorOptions::part), in any order: so several
-/// processes can share the work, and what is finished can be kept. It has the bits of the matrix that view_factors()
-/// finds at once, whatever the number of parts is, with these exceptions: estimated errors, and sums of rows from which
-/// something was left out, may be rounded differently, and ViewFactors::counts is as VisibilityOptions::part says. If
-/// `close_rows` is true, rows are closed, as by ViewFactorOptions::close_rows. O(n log n) for n factors; allocates 24
-/// bytes per pair with a factor. Runs in parallel. Throws InvalidArgument for parts of different patches, for parts
-/// that have the same pair, for arrays that do not fit each other, and for rows that are to be closed and are off by
-/// more than 0.1; std::bad_alloc. Whether a part is missing cannot be seen.
+/// Joins the matrices of all parts (ViewFactorOptions::part), in any order, into the matrix of all pairs. So several
+/// processes can share the work, and finished parts can be stored. All factors have the bits that one call of
+/// view_factors() gives. Estimated errors, and sums of rows with left-out factors, may be rounded differently. In
+/// ViewFactors::counts, pairs may move between `occluded` and `facing_away` (VisibilityOptions::part). If `close_rows`
+/// is true, rows are closed, as by ViewFactorOptions::close_rows. A missing part is not detected. No parts make a
+/// matrix of no patches.
+///
+/// O(n log n) for n factors; allocates 24 bytes per pair with a factor. Runs in parallel, in the caller's task_arena.
+/// Throws InvalidArgument for parts of different patches, for parts that have the same pair, for arrays that do not fit
+/// each other, and for rows that are to be closed and are off by more than 0.1. Throws std::bad_alloc if memory runs
+/// out.
 [[nodiscard]] SHAFTCULL_EXPORT ViewFactors join_view_factors(std::span<const ViewFactors> parts,
                                                              bool close_rows = false);
 

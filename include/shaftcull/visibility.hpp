@@ -259,7 +259,7 @@ struct SightCounts {
                                       : facing_away;
   }
   [[nodiscard]] std::uint64_t of(Sight sight) const noexcept { return SightCounts(*this).of(sight); }
-  /// Adds those of other pairs.
+  /// Adds the counts of other pairs.
   SightCounts& operator+=(const SightCounts& more) noexcept {
     undecided += more.undecided;
     clear += more.clear;
@@ -300,10 +300,10 @@ struct VisibilityOptions {
   float tolerance = 0;
   /// Whether undecided pairs come with candidates.
   bool candidates = true;
-  /// The call answers part `part` of `parts` parts of all pairs, numbered from 0: so several processes can share the
-  /// work, and what is finished can be kept. Each pair is in one part; parts have about as many pairs each. They depend
-  /// on the patches and on `parts` only. A pair that both faces away and is occluded may get the other of these two
-  /// answers if `parts` is different.
+  /// All pairs are divided into `parts` parts, numbered from 0, and the call answers part `part` alone. So several
+  /// processes can share the work, and finished parts can be stored. Each pair is in exactly one part, and all parts
+  /// have about the same number of pairs. The division depends on the patches and on `parts` only. If a pair both faces
+  /// away and is occluded, its answer may be `facing_away` with one value of `parts` and `occluded` with another.
   std::uint32_t part = 0;
   std::uint32_t parts = 1;  ///< 1 or more, and above `part`
   /// Limit in bytes for answers in progress and for pairs of groups that wait for answers. It does not include the
@@ -334,10 +334,11 @@ class SHAFTCULL_EXPORT Cancelled : public std::runtime_error {
 
 /// Returns how many pairs of a patch of `a` and a patch of `b` have each answer. Nothing is written for any pair.
 ///
-/// Of a part of the pairs (VisibilityOptions::part), only those are counted. O(pairs · occluders) at worst. Two groups
+/// With VisibilityOptions::part, only the pairs of that part are counted. O(pairs · occluders) at worst. Two groups
 /// that are answered as a whole cost one answer, so a few nanoseconds per pair are usual. VisibilityOptions::memory
 /// describes the allocation. Verdicts of `resolve` are counted. Throws InvalidArgument for an option that is not an
-/// enumerator and for memory of less than 1 MB; std::bad_alloc; Cancelled; and exceptions of callbacks.
+/// enumerator, for memory of less than 1 MB, and for a `part` that is not below `parts`; std::bad_alloc; Cancelled; and
+/// exceptions of callbacks.
 [[nodiscard]] SHAFTCULL_EXPORT SightCounts count_visibility(const PatchSet& a, const PatchSet& b,
                                                             const Occluders& occluders,
                                                             const VisibilityOptions& options = {});
@@ -376,11 +377,11 @@ struct Visibility {
                                                              const VisibilityOptions& options = {});
 
 /// Writes one bit per pair: whether the answer is `sight`. `bits` has one row of bit_words(b.size()) words for each
-/// patch of `a`; bit j of row i is the bit of patches i and j. Bits of pairs of other parts are 0. For one set with
-/// itself, both bits of a pair are written, and the diagonal is 0. Verdicts of `resolve` are included. Throws
-/// InvalidArgument if `bits` does not have exactly a.size() rows, or if `sight` is not an enumerator. If the call
-/// throws for another reason than its arguments, the bits are unspecified. Otherwise as visibility(); costs O(pairs
-/// with this answer) more.
+/// patch of `a`; bit j of row i is the bit of patches i and j. With VisibilityOptions::part, the bits of all pairs in
+/// other parts are 0. For one set with itself, both bits of a pair are written, and the diagonal is 0. Verdicts of
+/// `resolve` are included. Throws InvalidArgument if `bits` does not have exactly a.size() rows, or if `sight` is not
+/// an enumerator. If the call throws for another reason than its arguments, the bits are unspecified. Otherwise as
+/// visibility(); costs O(pairs with this answer) more.
 SHAFTCULL_EXPORT SightCounts visibility_bits(const PatchSet& a, const PatchSet& b, const Occluders& occluders,
                                              Sight sight, std::span<std::uint64_t> bits,
                                              const VisibilityOptions& options = {});

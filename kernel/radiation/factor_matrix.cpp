@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <utility>
@@ -33,7 +34,7 @@ void for_each_row(std::size_t count, const Body& body) {
 /// A factor in a row.
 struct Cell {
   std::uint32_t column;
-  float error;  ///< its sign says whether the factor is left out
+  float error;  ///< negative if the factor is left out
   double factor;
 };
 
@@ -67,7 +68,7 @@ class Rows {
   [[nodiscard]] std::span<Cell> row(std::size_t i) noexcept { return {cells_.data() + end_[i], end_[i + 1] - end_[i]}; }
 
  private:
-  std::vector<std::size_t> end_;  ///< of the row before each; then that of the last
+  std::vector<std::size_t> end_;  ///< row i is cells end_[i] to end_[i + 1]
   std::vector<Cell> cells_;
 };
 
@@ -79,32 +80,83 @@ std::span<const std::uint32_t> columns_of(const ViewFactors& factors, std::size_
   return std::span(factors.column).subspan(factors.first[i], factors.first[i + 1] - factors.first[i]);
 }
 
-/// Whether arrays have the sizes that view_factors() gives them.
+/// Whether arrays have the sizes that view_factors() gives them, and columns ascend in each row.
 bool is_matrix(const ViewFactors& factors) {
   if (factors.first.empty()) return false;  // it was moved from
   const std::size_t count = factors.size();
-  return factors.first.front() == 0 && std::is_sorted(factors.first.begin(), factors.first.end()) &&
-         factors.column.size() == factors.first.back() && factors.factor.size() == factors.first.back() &&
-         factors.area.size() == count && factors.sum.size() == count && factors.error.size() == count &&
-         factors.left_out.size() == count &&
-         std::all_of(factors.column.begin(), factors.column.end(),
-                     [&](std::uint32_t column) { return column < count; });
+  if (factors.first.front() != 0 || !std::is_sorted(factors.first.begin(), factors.first.end()) ||
+      factors.column.size() != factors.first.back() || factors.factor.size() != factors.first.back() ||
+      factors.area.size() != count || factors.sum.size() != count || factors.error.size() != count ||
+      factors.left_out.size() != count) {
+    return false;
+  }
+  for (std::size_t i = 0; i != count; ++i) {
+    const std::span<const std::uint32_t> columns = columns_of(factors, i);
+    if (!columns.empty() && columns.back() >= count) return false;
+    if (std::adjacent_find(columns.begin(), columns.end(), std::greater_equal<>()) != columns.end()) return false;
+  }
+  return true;
 }
 
 void require_parts_of_one(std::span<const ViewFactors> parts) {
   for (std::size_t p = 0; p < parts.size(); ++p) {
     const auto refuse = [&](const std::string& what) {
-      fail(InvalidArgument("part " + std::to_string(p) + " " + what));
+      fail(InvalidArgument("parts[" + std::to_string(p) + "] " + what));
     };
-    if (!is_matrix(parts[p])) refuse("is no matrix: its arrays do not fit each other");
+    if (!is_matrix(parts[p])) refuse("is not a matrix: its arrays do not fit each other");
     if (parts[p].size() != parts[0].size()) {
-      refuse("has rows of " + std::to_string(parts[p].size()) + " patches, and part 0 of " +
-             std::to_string(parts[0].size()) + "; parts are of one set of patches");
+      refuse("has " + std::to_string(parts[p].size()) + " rows, and parts[0] has " + std::to_string(parts[0].size()) +
+             "; all parts are of one set of patches");
     }
     if (parts[p].area != parts[0].area) {
-      refuse("has patches of other areas than part 0; parts are of one set of patches");
+      refuse("has patches with other areas than parts[0]; all parts are of one set of patches");
     }
   }
+}
+
+ViewFactors joined(std::span<const ViewFactors> parts) {
+  ViewFactors all;
+  const std::size_t count = parts[0].size();
+  all.area = parts[0].area;
+  for (std::vector<double>* of_rows : {&all.sum, &all.error, &all.left_out}) of_rows->assign(count, 0);
+  all.first.reserve(count + 1);
+  for (std::size_t i = 0; i != count; ++i) {
+    std::size_t factors = 0;
+    for (const ViewFactors& part : parts) factors += columns_of(part, i).size();
+    all.first.push_back(all.first.back() + factors);
+  }
+  all.column.resize(all.first.back());
+  all.factor.resize(all.first.back());
+  for (const ViewFactors& part : parts) all.counts += part.counts;
+  for_each_row(count, [&](std::size_t i) {
+    std::vector<std::pair<std::uint32_t, double>> row;
+    row.reserve(columns_of(all, i).size());
+    double variance = 0;
+    for (const ViewFactors& part : parts) {
+      const std::span<const std::uint32_t> columns = columns_of(part, i);
+      const std::span<const double> factors = factors_of(part, i);
+      for (std::size_t k = 0; k != columns.size(); ++k) row.emplace_back(columns[k], factors[k]);
+      all.left_out[i] += part.left_out[i];
+      variance += part.error[i] * part.error[i];
+    }
+    std::sort(row.begin(), row.end());
+    std::size_t next = all.first[i];
+    for (const auto& [column, factor] : row) {
+      all.sum[i] += factor;
+      all.column[next] = column;
+      all.factor[next++] = factor;
+    }
+    all.sum[i] += all.left_out[i];
+    all.error[i] = std::sqrt(variance);
+  });
+  for (std::size_t i = 0; i != count; ++i) {
+    const std::span<const std::uint32_t> columns = columns_of(all, i);
+    const auto twice = std::adjacent_find(columns.begin(), columns.end());
+    if (twice == columns.end()) continue;
+    fail(InvalidArgument("two parts have the factor from patch " + std::to_string(i) + " to patch " +
+                         std::to_string(*twice) + "; each pair is in one part"));
+  }
+  return all;
 }
 
 }  // namespace
@@ -197,48 +249,10 @@ double ViewFactors::operator()(std::size_t i, std::size_t j) const noexcept {
 
 ViewFactors join_view_factors(std::span<const ViewFactors> parts, bool close_rows) {
   ViewFactors all;
-  if (parts.empty()) return all;
   kernel::in_float_environment([&] {
     kernel::require_parts_of_one(parts);
-    const std::size_t count = parts[0].size();
-    all.area = parts[0].area;
-    for (std::vector<double>* of_rows : {&all.sum, &all.error, &all.left_out}) of_rows->assign(count, 0);
-    for (std::size_t i = 0; i != count; ++i) {
-      std::size_t factors = 0;
-      for (const ViewFactors& part : parts) factors += part.first[i + 1] - part.first[i];
-      all.first.push_back(all.first.back() + factors);
-    }
-    all.column.resize(all.first.back());
-    all.factor.resize(all.first.back());
-    for (const ViewFactors& part : parts) all.counts += part.counts;
-    kernel::for_each_row(count, [&](std::size_t i) {
-      std::vector<std::pair<std::uint32_t, double>> row;
-      row.reserve(all.first[i + 1] - all.first[i]);
-      double variance = 0;
-      for (const ViewFactors& part : parts) {
-        for (std::size_t k = part.first[i]; k != part.first[i + 1]; ++k) {
-          row.emplace_back(part.column[k], part.factor[k]);
-        }
-        all.left_out[i] += part.left_out[i];
-        variance += part.error[i] * part.error[i];
-      }
-      std::sort(row.begin(), row.end());
-      std::size_t next = all.first[i];
-      for (const auto& [column, factor] : row) {
-        all.sum[i] += factor;
-        all.column[next] = column;
-        all.factor[next++] = factor;
-      }
-      all.sum[i] += all.left_out[i];
-      all.error[i] = std::sqrt(variance);
-    });
-    for (std::size_t i = 0; i != count; ++i) {
-      const std::span<const std::uint32_t> columns = kernel::columns_of(all, i);
-      const auto twice = std::adjacent_find(columns.begin(), columns.end());
-      if (twice == columns.end()) continue;
-      kernel::fail(InvalidArgument("two parts have the factor from patch " + std::to_string(i) + " to patch " +
-                                   std::to_string(*twice) + "; each pair is in one part"));
-    }
+    if (parts.size() == 1) all = parts[0];
+    if (parts.size() > 1) all = kernel::joined(parts);
     if (close_rows) kernel::close_rows(all);
   });
   return all;

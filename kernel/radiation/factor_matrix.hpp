@@ -15,7 +15,7 @@ struct Exchange {
   double error;
 };
 
-/// Some at a time, so that many are never copied.
+/// A list of lists, so that a long list is never copied to grow.
 using ExchangeLists = std::vector<std::vector<Exchange>>;
 
 /// Fills all but `area`, which has the areas of all patches, and `counts`. Pairs neither of whose factors reaches
@@ -23,8 +23,8 @@ using ExchangeLists = std::vector<std::vector<Exchange>>;
 void fill_rows(ViewFactors& factors, ExchangeLists exchanges, double least);
 
 /// Multiplies what patches i and j exchange by a number of i and one of j, so that rows that are not empty sum to 1.
-/// Factors that were left out are multiplied by the square of the number of their row. Throws InvalidArgument for a row
-/// whose sum is far from 1.
+/// The sums of left-out factors are multiplied by the square of the number of their row. Throws InvalidArgument for a
+/// row whose sum is far from 1.
 void close_rows(ViewFactors& factors);
 
 }  // namespace shaftcull::kernel

@@ -47,8 +47,8 @@ void require(const PatchSet& patches, const ViewFactorOptions& options) {
     kernel::fail(InvalidArgument("least is " + std::to_string(options.least) + "; it is 0 or more"));
   }
   if (options.close_rows && options.parts != 1) {
-    kernel::fail(InvalidArgument("close_rows is set for one of " + kernel::counted(options.parts, "part") +
-                                 "; rows are closed when all parts are there: join_view_factors()"));
+    kernel::fail(InvalidArgument("close_rows takes all pairs, and parts is " + std::to_string(options.parts) +
+                                 "; in C++, join_view_factors() closes the rows of all parts"));
   }
   const kernel::PatchTree& tree = patches.tree();
   if (patches.size() == 0 || tree.has_planes()) return;

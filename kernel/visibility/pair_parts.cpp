@@ -6,8 +6,8 @@
 namespace shaftcull::kernel {
 namespace {
 
-/// Walks through all pairs in order, group by group, and collects those of a part. Groups that have at most a part's
-/// number of pairs, or cannot be split, belong to the part in which their first pair lies.
+/// Walks through all pairs in order, group by group, and collects those of a part. A pair of groups that has no more
+/// pairs than a part, or cannot be split, belongs to the part of its first pair.
 class PartWalk {
  public:
   PartWalk(const SightJob& job, std::uint32_t part, std::uint32_t parts) : job_(job) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Parts of all pairs of a call, for processes that answer some each.
+/// Divides all pairs of a call into parts, so that processes can share them.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,9 @@ struct GroupPair {
   std::uint32_t b;
 };
 
-/// The groups that a part consists of, in order. `part` is below `parts`. Every pair is in one part, and parts have
-/// about as many pairs each; where there are few pairs, parts may be empty. O(parts) at worst.
+/// Returns the pairs of groups that make up a part, in order. `part` is below `parts`. Each pair of patches is in
+/// exactly one part, and all parts have about the same number of pairs. If there are few pairs, parts may be empty. The
+/// walk enters only pairs of groups that overlap the part.
 [[nodiscard]] std::vector<GroupPair> groups_of_part(const SightJob& job, std::uint32_t part, std::uint32_t parts);
 
 }  // namespace shaftcull::kernel

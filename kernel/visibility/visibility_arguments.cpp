@@ -38,9 +38,10 @@ void require_options(const VisibilityOptions& options) {
 }
 
 void require_part(std::uint32_t part, std::uint32_t parts) {
+  if (parts == 0) kernel::fail(InvalidArgument("parts is 0; it is 1 or more"));
   if (part < parts) return;
-  kernel::fail(InvalidArgument("part " + std::to_string(part) + " of " + counted(parts, "part") +
-                               " is asked for; parts are numbered from 0"));
+  kernel::fail(InvalidArgument("part is " + std::to_string(part) + "; of " + counted(parts, "part") + ", it is 0" +
+                               (parts == 1 ? "" : " to " + std::to_string(parts - 1))));
 }
 
 void require_rays(std::uint32_t rays, double error, float tolerance) {

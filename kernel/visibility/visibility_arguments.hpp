@@ -16,7 +16,7 @@ namespace shaftcull::kernel {
 
 void require_options(const VisibilityOptions& options);
 
-/// Of calls of a part of all pairs.
+/// Throws InvalidArgument unless `part` is below `parts`.
 void require_part(std::uint32_t part, std::uint32_t parts);
 
 /// Of calls that cast rays: at most `rays` of each pair, until an error is reached.

@@ -33,7 +33,7 @@ std::string progress_line(const ProgressState& state, ProgressForm form) {
         state.phase, state.blocks_done, state.blocks, state.blocks_before, state.seconds, state.things, number(rate),
         number(left));
   }
-  std::string text = fmt::format("{}: {} of {} blocks", state.phase, state.blocks_done, state.blocks);
+  std::string text = fmt::format("{}: {} of {} {}", state.phase, state.blocks_done, state.blocks, state.pieces);
   if (state.blocks_before != 0) text += fmt::format(" ({} from an earlier run)", state.blocks_before);
   if (known) text += fmt::format(", {}, {:.0f} s left", rate_text(rate, state.things), std::ceil(left));
   return text;

@@ -20,6 +20,7 @@ struct ProgressState {
   double things_a_block;        ///< on average
   double seconds;               ///< since this phase of this run began
   const char* things = "shafts";
+  const char* pieces = "blocks";  ///< in text
 };
 
 /// "compute: 12 of 100 blocks, 3.1 M shafts/s, 7 s left", or {"phase":"compute", …} of JSON, with the same numbers.

@@ -30,7 +30,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The factors of one part of all pairs, as they are kept: of rows that have some.
+/// The factors of one part of all pairs, as stored: only rows that have factors or an error.
 struct FactorsOfPart {
   std::vector<std::uint32_t> row;
   std::vector<std::uint64_t> end;  ///< of the factors of each row
@@ -90,7 +90,8 @@ ViewFactors factors_of(FactorsOfPart part, const std::vector<double>& area) {
   return factors;
 }
 
-/// Joins parts as they come, so that few of them are in memory: rows of a part, although empty, take memory.
+/// Joins parts as they are read, so that few are in memory at once. Each part has arrays as long as the number of
+/// patches, even if most of its rows are empty.
 class Joiner {
  public:
   void add(ViewFactors part) {
@@ -112,7 +113,7 @@ class Joiner {
 
  private:
   static constexpr std::size_t most = 16;
-  std::vector<std::vector<ViewFactors>> levels_;  ///< each of level i is of most to the power of i parts
+  std::vector<std::vector<ViewFactors>> levels_;  ///< a matrix in level i joins `most` to the power of i parts
 };
 
 class RankedFactors {
@@ -172,8 +173,8 @@ class RankedFactors {
 
   void compute() {
     const PatchSet patches(result_->patches.corners, result_->patches.first);
+    surroundings_.on_threads([&] { threads_ = concurrency(); });
     const std::function<FactorsOfPart(std::size_t)> answer = [&](std::size_t part) {
-      threads_ = concurrency();
       ViewFactorOptions ask = ask_;
       ask.part = static_cast<std::uint32_t>(part);
       return kept_of(view_factors(patches, result_->scene.occluders, ask), part == 0);
@@ -209,12 +210,12 @@ class RankedFactors {
 
 bool can_find_factors_in_parts() noexcept { return true; }
 
-void run_factors_in_parts(const FactorsOptions& options, std::optional<FactorsResult> scene) {
+void run_factors_in_parts(const FactorsOptions& options, std::optional<FactorsResult>&& scene) {
   const auto check = [&] {
     require_factor_files(options);
     if (options.out.empty()) {
       throw InvalidArgument(
-          "factors: several processes share the work, which takes --out FILE: finished results are kept beside it");
+          "factors: several processes need --out FILE, because finished parts are stored beside FILE");
     }
     require_file("--out", options.out);
     options.isa.select();

@@ -8,14 +8,14 @@
 
 namespace shaftcull::cli {
 
-/// All ranks that were launched, one if none were, find factors: parts of all pairs are dealt to whoever is free, and
-/// are kept in the folder FILE.parts/, where FILE is what --out names. Then the first rank joins them, and writes the
-/// files, which do not depend on the number of ranks. A job that was ended is gone on with. Throws EarlyExit when one
-/// rank has told what cannot be used; InvalidArgument in a build without HDF5 or xxHash. `scene` is what
-/// factors_scene() made of the options, if it was called.
-void run_factors_in_parts(const FactorsOptions& options, std::optional<FactorsResult> scene = {});
+/// Finds factors on all launched ranks, or in this process if none were launched. A free rank takes the next part of
+/// all pairs, and stores its factors in FILE.parts/, where FILE is the argument of --out. Then the first rank joins all
+/// parts and writes the files, which do not depend on the number of ranks. Resumes a job that was interrupted. Throws
+/// EarlyExit after one rank has reported an unusable argument, and InvalidArgument in a build without HDF5 or xxHash.
+/// `scene` is the result of factors_scene(), if the caller has it.
+void run_factors_in_parts(const FactorsOptions& options, std::optional<FactorsResult>&& scene = {});
 
-/// Whether this build can.
+/// Whether this build has HDF5 and xxHash, which run_factors_in_parts() needs.
 [[nodiscard]] bool can_find_factors_in_parts() noexcept;
 
 }  // namespace shaftcull::cli

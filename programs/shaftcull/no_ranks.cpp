@@ -18,7 +18,7 @@ namespace {
 
 void run_on_launched_ranks(SeesJob& /*job*/) { refuse("sees"); }
 
-void run_factors_in_parts(const FactorsOptions& /*options*/, std::optional<FactorsResult> /*scene*/) {
+void run_factors_in_parts(const FactorsOptions& /*options*/, std::optional<FactorsResult>&& /*scene*/) {
   refuse("factors");
 }
 

@@ -78,7 +78,8 @@ void RankedParts::deal(const char* phase, std::uint64_t pieces,
   const Clock::time_point begin = Clock::now();
   const std::uint64_t all = before + pieces;
   batch::ProgressState state{
-      phase, before, all, before, all == 0 ? 0 : static_cast<double>(pairs_) / static_cast<double>(all), 0, "pairs"};
+      phase, before,  all,    before, all == 0 ? 0 : static_cast<double>(pairs_) / static_cast<double>(all),
+      0,     "pairs", "parts"};
   batch::Dealing dealing(ranks_, surroundings_, 1);
   const auto tell = [&] {
     state.blocks_done = before + dealing.finished();

@@ -25,11 +25,12 @@ namespace shaftcull::cli {
 /// The folder in which a job that writes this file keeps what is finished: beside the file, so on the same file system.
 [[nodiscard]] std::string folder_beside(const std::string& file);
 
-/// Throws InvalidArgument if the file of an option is a stream: nothing can be kept beside it. An empty path is none.
+/// Throws InvalidArgument if the file of an option is a stream: nothing can be kept beside it. An empty path is not
+/// checked.
 void require_file(const char* option, const std::string& path);
 
-/// Parts of some pairs, numbered from 0. All ranks make one, and call the members in the same order. Those that say
-/// *all* throw as batch::on_all() does.
+/// Parts of some pairs, numbered from 0. All ranks make a RankedParts, and call its members in the same order. Members
+/// that say *all* throw as batch::on_all() does.
 class RankedParts {
  public:
   /// `verb` is what messages call the job. With an empty folder nothing is kept.
@@ -40,9 +41,9 @@ class RankedParts {
   /// The path of a file in the folder.
   [[nodiscard]] std::string file(const char* name) const { return folder_.path() + '/' + name; }
 
-  /// On rank 0: begins a job, or goes on with one. Throws InvalidArgument if the folder is of another job.
+  /// Rank 0: begins a job, or resumes one. Throws InvalidArgument if the folder belongs to another job.
   void open(const batch::JobDescription& job);
-  /// All, after open(): there are so many parts, of so many pairs.
+  /// All, after open(): sets the number of parts and of pairs.
   void begin(const batch::JobDescription& job, std::size_t parts, std::uint64_t pairs);
 
   /// All: finds the parts that an earlier run has finished. Each is read by one rank, which calls note(part, answer).
@@ -67,7 +68,7 @@ class RankedParts {
     });
   }
 
-  /// All: likewise, where nothing is kept.
+  /// All: calls ask(part) once for each part, on one rank each. For jobs without a folder.
   void compute(const std::function<void(std::size_t)>& ask);
 
   /// The answer of a part, which was whole on disk a moment ago. Throws std::runtime_error if it no longer is.
@@ -78,8 +79,8 @@ class RankedParts {
         fmt::format("{}: is damaged; run the same command again to recompute it", store_->path(0, part)));
   }
 
-  /// All: deals pieces of work to whoever is free, and tells now and then how far it is. `before` of all pieces were
-  /// done by earlier runs, and are not among these.
+  /// All: hands out pieces of work to free ranks, and reports progress. `before` pieces were done by earlier runs, and
+  /// are not among `pieces`.
   void deal(const char* phase, std::uint64_t pieces, const std::function<batch::Dealing::Rest(std::uint64_t)>& work,
             std::uint64_t before = 0);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What answers of a scene depend on, as a word: ranks compare it, and a run that is resumed.
+/// A short text that identifies a scene. Ranks compare it with each other, and a resumed run compares it with the
+/// stored one.
 #pragma once
 
 #include <string>

@@ -129,11 +129,11 @@ class NpzPlaces final : public SightPlaces {
   [[nodiscard]] std::uint32_t crc_of_answers(std::size_t array) const {
     std::uint32_t crc = 0;
     if (first_row_of(array) == 1) crc = crc32_of(std::as_bytes(std::span(&no_candidate_before, 1)));
-    const auto of_units = [&](const std::vector<std::uint64_t>& numbers) {
+    const auto of_parts = [&](const std::vector<std::uint64_t>& numbers) {
       return std::span(numbers).subspan(array * parts_, parts_);
     };
-    const std::span<const std::uint64_t> begins = of_units(rows_);
-    const std::span<const std::uint64_t> crcs = of_units(crcs_);
+    const std::span<const std::uint64_t> begins = of_parts(rows_);
+    const std::span<const std::uint64_t> crcs = of_parts(crcs_);
     for (std::size_t part = 0; part != parts_; ++part) {
       const std::uint64_t end = part + 1 != parts_ ? begins[part + 1] : all_rows_[array];
       crc = joined_crc32(crc, static_cast<std::uint32_t>(crcs[part]),

@@ -25,7 +25,7 @@ class SightPlaces {
   SightPlaces& operator=(const SightPlaces&) = delete;
   virtual ~SightPlaces() = default;
 
-  /// Notes how long the part of a part is. Each part is measured by one process.
+  /// Notes how many rows or bytes of the file a part takes. Each part is measured by one process.
   virtual void measure(std::size_t part, const PartAnswer& answer) = 0;
   /// What was noted, 0 for what others have. To be added up over the processes.
   [[nodiscard]] virtual std::span<std::uint64_t> lengths() = 0;

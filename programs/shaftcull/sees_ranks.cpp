@@ -100,12 +100,10 @@ class RankedSees {
   [[nodiscard]] std::vector<SightSink*> sinks() const { return {sums_.begin(), sums_.end()}; }
 
   void compute() {
+    surroundings_.on_threads([&] { threads_ = concurrency(); });
     PartQuestion question(job_.scene(), job_.patches(), work_);
     if (!parts_.keeps()) {
-      parts_.compute([&](std::size_t part) {
-        threads_ = concurrency();
-        counts_ += question.deliver(part, sinks(), {});
-      });
+      parts_.compute([&](std::size_t part) { counts_ += question.deliver(part, sinks(), {}); });
       return;
     }
     // Takes from an answer what is to be known before all are there, while it is in memory.
@@ -113,10 +111,7 @@ class RankedSees {
       counts_ += hand_over(answer, sinks());
       if (places_) places_->measure(part, answer);
     };
-    const std::function<PartAnswer(std::size_t)> answer = [&](std::size_t part) {
-      threads_ = concurrency();
-      return answer_of(question, part);
-    };
+    const std::function<PartAnswer(std::size_t)> answer = [&](std::size_t part) { return answer_of(question, part); };
     parts_.find_finished(note);
     parts_.compute(answer, note);
   }

@@ -109,7 +109,7 @@ std::string text_of(const SeesReport& report) {
   if (!report.object_pairs.empty()) text += '\n' + table_of_objects(report);
   return text + fmt::format("\n{:.2f} s, {}pairs/s, {}{}, {}, {} MB of memory{}\n", report.seconds,
                             prefixed(rate_of(report)), count(static_cast<std::size_t>(report.threads), "thread"),
-                            report.ranks == 1 ? "" : fmt::format(" of {} ranks", report.ranks), report.isa,
+                            report.ranks == 1 ? "" : fmt::format(" on {} ranks", report.ranks), report.isa,
                             grouped((report.memory + 999'999) / 1'000'000),
                             report.rays == 0 ? "" : fmt::format(", {} per pair", count(report.rays, "ray")));
 }

@@ -187,7 +187,7 @@ def without_room(whole):
     with open("seen.npz.parts/result", "wb") as file:
         file.write(b"x" * (len(whole["seen.npz"]) + 1000))
     done = sees(2, *both, "--rays", 3)
-    assert done.returncode == 0 and f"compute: {parts} of {parts} blocks (" in done.stderr, done
+    assert done.returncode == 0 and f"compute: {parts} of {parts} parts (" in done.stderr, done
     assert take_files() == whole
     assert not os.listdir()
 

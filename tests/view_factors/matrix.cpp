@@ -451,23 +451,26 @@ TEST(ViewFactors, OfPartsThatDoNotBelongTogetherAreRefused) {
   EXPECT_THAT(message(), testing::MatchesRegex(
                              "two parts have the factor from patch [0-9]+ to patch [0-9]+; each pair is in one part"));
   parts[2].area[5] *= 2;
-  EXPECT_EQ(message(), "part 2 has patches of other areas than part 0; parts are of one set of patches");
+  EXPECT_EQ(message(), "parts[2] has patches with other areas than parts[0]; all parts are of one set of patches");
   const ViewFactors taken = std::move(parts[2]);
-  EXPECT_EQ(message(), "part 2 is no matrix: its arrays do not fit each other");
+  EXPECT_EQ(message(), "parts[2] is not a matrix: its arrays do not fit each other");
   parts[2] = taken;
   parts[2].column.back() = static_cast<std::uint32_t>(room.size());
-  EXPECT_EQ(message(), "part 2 is no matrix: its arrays do not fit each other");
+  EXPECT_EQ(message(), "parts[2] is not a matrix: its arrays do not fit each other");
+  parts[2] = taken;
+  std::swap(parts[2].column[0], parts[2].column[1]);
+  EXPECT_EQ(message(), "parts[2] is not a matrix: its arrays do not fit each other");
   parts[2] = ViewFactors{};
-  EXPECT_EQ(message(), "part 2 has rows of 0 patches, and part 0 of " + std::to_string(room.size()) +
-                           "; parts are of one set of patches");
+  EXPECT_EQ(message(), "parts[2] has 0 rows, and parts[0] has " + std::to_string(room.size()) +
+                           "; all parts are of one set of patches");
   EXPECT_EQ(join_view_factors({}).size(), 0U);
   options.part = 1;
   EXPECT_EQ(message_of([&] { static_cast<void>(view_factors(room.patches(), {}, options)); }),
-            "part 1 of 1 part is asked for; parts are numbered from 0");
+            "part is 1; of 1 part, it is 0");
   options.parts = 2;
   options.close_rows = true;
   EXPECT_EQ(message_of([&] { static_cast<void>(view_factors(room.patches(), {}, options)); }),
-            "close_rows is set for one of 2 parts; rows are closed when all parts are there: join_view_factors()");
+            "close_rows takes all pairs, and parts is 2; in C++, join_view_factors() closes the rows of all parts");
 }
 
 TEST(ViewFactors, OfNothingAreNone) {

@@ -1428,7 +1428,7 @@ static void visibility(void) {
   REFUSED(shaftcull_visibility(a, b, occluders, &options, NULL, NULL, &counts), "tolerance is -1");
   options = shaftcull_default_visibility_options();
   options.part = 1;
-  REFUSED(shaftcull_visibility(a, b, occluders, &options, NULL, NULL, &counts), "part 1 of 1 part is asked for");
+  REFUSED(shaftcull_visibility(a, b, occluders, &options, NULL, NULL, &counts), "part is 1; of 1 part, it is 0");
   CHECK(strcmp(shaftcull_sight_name(SHAFTCULL_SIGHT_CLEAR), "clear") == 0);
   CHECK(strcmp(shaftcull_sight_name(SHAFTCULL_SIGHT_FACING_AWAY), "facing_away") == 0);
   CHECK(strcmp(shaftcull_sight_name(4), "unknown") == 0);
@@ -1497,7 +1497,7 @@ static void rays_and_view_factors(void) {
   REFUSED(shaftcull_view_factors(walls, occluders, &options, &matrix), "options.close_rows = 2");
   options.close_rows = 1;
   options.parts = 2;
-  REFUSED(shaftcull_view_factors(walls, occluders, &options, &matrix), "close_rows is set for one of 2 parts");
+  REFUSED(shaftcull_view_factors(walls, occluders, &options, &matrix), "close_rows takes all pairs, and parts is 2");
   options = shaftcull_default_view_factor_options();
   options.rays = 0;
   REFUSED(shaftcull_view_factors(walls, occluders, &options, &matrix), "rays");

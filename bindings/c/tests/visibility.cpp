@@ -433,7 +433,8 @@ TEST(CVisibility, PartsAreThoseOfCpp) {
   std::vector<std::uint64_t> c_first{0};
   for (int i = 0; i != 300; ++i) {  // so many that they are in several groups
     const auto x = static_cast<float>(i % 20);
-    const auto y = static_cast<float>(i / 20);
+    const int row = i / 20;
+    const auto y = static_cast<float>(row);
     const float z = i % 2 == 0 ? 0.0F : 5.0F;
     const Vec3 square[] = {{x, y, z}, {x + 1, y, z}, {x + 1, y + 1, z}, {x, y + 1, z}};
     for (std::size_t k = 0; k != 4; ++k) corners.push_back(square[z == 0 ? k : 3 - k]);

@@ -1245,8 +1245,8 @@ def visibility(
     tolerance: how far in front of a plane a point may be and still count as behind it, for rounded corners.
     solids_around_ends: whether a solid that a patch reaches into may make pairs of the patch 'occluded'.
     memory: limit in bytes for answers in progress, 1 MB or more.
-    part, parts: the call answers part 0, 1, ... of so many parts of all pairs, so that several processes can
-        share the work. Each pair is in one part.
+    part, parts: divides all pairs into `parts` parts and answers part `part`, 0 to parts - 1, so that several
+        processes can share the work. Each pair is in exactly one part.
     progress: called as progress(done, total) several times per second, on this thread; if it raises, the call
         ends.
     candidates: whether undecided pairs come with candidates, the occluders that reach between the patches.
@@ -1292,8 +1292,8 @@ def count_visibility(
     tolerance: how far in front of a plane a point may be and still count as behind it, for rounded corners.
     solids_around_ends: whether a solid that a patch reaches into may make pairs of the patch 'occluded'.
     memory: limit in bytes for answers in progress, 1 MB or more.
-    part, parts: the call answers part 0, 1, ... of so many parts of all pairs, so that several processes can
-        share the work. Each pair is in one part.
+    part, parts: divides all pairs into `parts` parts and answers part `part`, 0 to parts - 1, so that several
+        processes can share the work. Each pair is in exactly one part.
     progress: called as progress(done, total) several times per second, on this thread; if it raises, the call
         ends.
 
@@ -1422,8 +1422,8 @@ def view_factors(
         1.
     tolerance: as for visibility(). memory: limit in bytes for answers in progress, without the factors, 1 MB or
         more.
-    part, parts: as for visibility(). The result has the factors of this part of the pairs. Matrices of all parts
-        add up, and so do their row_sum and left_out; `close` is for all pairs only.
+    part, parts: as for visibility(). The sum of the matrices of all parts is the matrix of all pairs. row_sum and
+        left_out are summed, too, and `error` is the square root of the sum of squares. `close` needs parts=1.
     progress: called as progress(done, total) several times per second, on this thread; if it raises, the call
         ends.
 

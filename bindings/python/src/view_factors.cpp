@@ -125,8 +125,8 @@ close: whether rows are scaled to sum to 1, as those of a closed room do; ValueE
     1.
 tolerance: as for visibility(). memory: limit in bytes for answers in progress, without the factors, 1 MB or
     more.
-part, parts: as for visibility(). The result has the factors of this part of the pairs. Matrices of all parts
-    add up, and so do their row_sum and left_out; `close` is for all pairs only.
+part, parts: as for visibility(). The sum of the matrices of all parts is the matrix of all pairs. row_sum and
+    left_out are summed, too, and `error` is the square root of the sum of squares. `close` needs parts=1.
 progress: called as progress(done, total) several times per second, on this thread; if it raises, the call
     ends.
 

@@ -250,8 +250,8 @@ contact: 'open' leaves out occluders that only touch a shaft, so a patch may lie
 tolerance: how far in front of a plane a point may be and still count as behind it, for rounded corners.
 solids_around_ends: whether a solid that a patch reaches into may make pairs of the patch 'occluded'.
 memory: limit in bytes for answers in progress, 1 MB or more.
-part, parts: the call answers part 0, 1, ... of so many parts of all pairs, so that several processes can
-    share the work. Each pair is in one part.
+part, parts: divides all pairs into `parts` parts and answers part `part`, 0 to parts - 1, so that several
+    processes can share the work. Each pair is in exactly one part.
 progress: called as progress(done, total) several times per second, on this thread; if it raises, the call
     ends.)" +
        about_extra + R"(

@@ -358,7 +358,7 @@ def test_parts_have_the_answers_of_the_whole():
     whole = sc.visibility(patches, **between)
     occluders = sc.Occluders(between["occluders"], solids=between["solids"])
     check_parts(whole, [parts.answers(sc.Patches(patches), occluders, part, 5) for part in range(5)])
-    with pytest.raises(ValueError, match="part 5 of 5 parts is asked for"):
+    with pytest.raises(ValueError, match="part is 5; of 5 parts, it is 0 to 4"):
         sc.count_visibility(patches, part=5, parts=5)
 
 

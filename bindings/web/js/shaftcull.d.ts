@@ -615,8 +615,8 @@ export interface VisibilityScene extends RayOptions {
   /** Limit in bytes for answers in progress, 1 MB or more; 256 MB by default. */
   memory?: number;
   /**
-   * The call answers one part of all pairs: `part`, from 0, of `parts`. Each pair is in one part. 0 of 1 by default:
-   * all pairs.
+   * Divides all pairs into `parts` parts (1 by default), and answers part `part` (0 by default), 0 to parts - 1. Each
+   * pair is in exactly one part.
    */
   part?: number;
   parts?: number;

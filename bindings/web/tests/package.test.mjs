@@ -1114,7 +1114,7 @@ describe('visibility', () => {
     for (const sight of Object.keys(seen.counts)) {
       assert.equal(parts.reduce((sum, counts) => sum + counts[sight], 0), seen.counts[sight]);
     }
-    assert.throws(() => shaftcull.visibility({...scene, part: 3, parts: 3}), /part 3 of 3 parts is asked for/);
+    assert.throws(() => shaftcull.visibility({...scene, part: 3, parts: 3}), /part is 3; of 3 parts, it is 0 to 2/);
     const around = {patches: row(0, 1), patchesB: row(10, 1), solids: [-1, -1, -1, 2, 2, 2]};
     assert.equal(shaftcull.countVisibility(around).occluded, 1);
     assert.equal(shaftcull.countVisibility({...around, solidsAroundEnds: false}).occluded, 0);
