@@ -99,15 +99,16 @@ struct ViewFactors {
 
 /// Joins the matrices of all parts (ViewFactorOptions::part), in any order, into the matrix of all pairs. So several
 /// processes can share the work, and finished parts can be stored. All factors have the bits that one call of
-/// view_factors() gives. Estimated errors, and sums of rows with left-out factors, may be rounded differently. In
+/// view_factors() gives, except where rows are closed and factors were left out. Estimated errors, left-out sums, and
+/// sums of rows with left-out factors may be rounded differently; they may depend on the order of parts. In
 /// ViewFactors::counts, pairs may move between `occluded` and `facing_away` (VisibilityOptions::part). If `close_rows`
-/// is true, rows are closed, as by ViewFactorOptions::close_rows. A missing part is not detected. No parts make a
-/// matrix of no patches.
+/// is true, rows are closed, as by ViewFactorOptions::close_rows. A missing part is not detected, but counts.total()
+/// shows it. No parts make a matrix of no patches.
 ///
 /// O(n log n) for n factors; allocates 24 bytes per pair with a factor. Runs in parallel, in the caller's task_arena.
 /// Throws InvalidArgument for parts of different patches, for parts that have the same pair, for arrays that do not fit
-/// each other, and for rows that are to be closed and are off by more than 0.1. Throws std::bad_alloc if memory runs
-/// out.
+/// each other or have numbers that are not finite or below 0, and for rows that are to be closed and are off by more
+/// than 0.1. Throws std::bad_alloc if memory runs out.
 [[nodiscard]] SHAFTCULL_EXPORT ViewFactors join_view_factors(std::span<const ViewFactors> parts,
                                                              bool close_rows = false);
 

@@ -301,9 +301,10 @@ struct VisibilityOptions {
   /// Whether undecided pairs come with candidates.
   bool candidates = true;
   /// All pairs are divided into `parts` parts, numbered from 0, and the call answers part `part` alone. So several
-  /// processes can share the work, and finished parts can be stored. Each pair is in exactly one part, and all parts
-  /// have about the same number of pairs. The division depends on the patches and on `parts` only. If a pair both faces
-  /// away and is occluded, its answer may be `facing_away` with one value of `parts` and `occluded` with another.
+  /// processes can share the work, and finished parts can be stored. Each pair is in exactly one part. A part has three
+  /// to five quarters of an equal share of the pairs, or 4,096 pairs more or less where shares are small. The division
+  /// depends on the patches and on `parts` only. If a pair both faces away and is occluded, its answer may be
+  /// `facing_away` with one value of `parts` and `occluded` with another.
   std::uint32_t part = 0;
   std::uint32_t parts = 1;  ///< 1 or more, and above `part`
   /// Limit in bytes for answers in progress and for pairs of groups that wait for answers. It does not include the

@@ -80,7 +80,8 @@ std::span<const std::uint32_t> columns_of(const ViewFactors& factors, std::size_
   return std::span(factors.column).subspan(factors.first[i], factors.first[i + 1] - factors.first[i]);
 }
 
-/// Whether arrays have the sizes that view_factors() gives them, and columns ascend in each row.
+/// Whether arrays have the sizes that view_factors() gives them, numbers are finite and not below 0, and columns ascend
+/// in each row.
 bool is_matrix(const ViewFactors& factors) {
   if (factors.first.empty()) return false;  // it was moved from
   const std::size_t count = factors.size();
@@ -89,6 +90,13 @@ bool is_matrix(const ViewFactors& factors) {
       factors.area.size() != count || factors.sum.size() != count || factors.error.size() != count ||
       factors.left_out.size() != count) {
     return false;
+  }
+  const auto are_numbers = [](const std::vector<double>& values) {
+    return std::all_of(values.begin(), values.end(), [](double value) { return value >= 0 && std::isfinite(value); });
+  };
+  for (const std::vector<double>* of :
+       {&factors.factor, &factors.area, &factors.sum, &factors.error, &factors.left_out}) {
+    if (!are_numbers(*of)) return false;
   }
   for (std::size_t i = 0; i != count; ++i) {
     const std::span<const std::uint32_t> columns = columns_of(factors, i);
@@ -103,7 +111,8 @@ void require_parts_of_one(std::span<const ViewFactors> parts) {
     const auto refuse = [&](const std::string& what) {
       fail(InvalidArgument("parts[" + std::to_string(p) + "] " + what));
     };
-    if (!is_matrix(parts[p])) refuse("is not a matrix: its arrays do not fit each other");
+    if (!is_matrix(parts[p]))
+      refuse("is not a matrix of view_factors(): arrays do not fit each other, or a number is not finite or below 0");
     if (parts[p].size() != parts[0].size()) {
       refuse("has " + std::to_string(parts[p].size()) + " rows, and parts[0] has " + std::to_string(parts[0].size()) +
              "; all parts are of one set of patches");

@@ -6,15 +6,15 @@
 namespace shaftcull::kernel {
 namespace {
 
-/// Walks through all pairs in order, group by group, and collects those of a part. A pair of groups that has no more
-/// pairs than a part, or cannot be split, belongs to the part of its first pair.
+/// Walks through all pairs in order, group by group, and collects those of a part. A pair of groups that has at most a
+/// quarter of a part's pairs, or cannot be split, belongs to the part of its first pair.
 class PartWalk {
  public:
   PartWalk(const SightJob& job, std::uint32_t part, std::uint32_t parts) : job_(job) {
     const std::uint64_t total = job.pairs(0, 0);
     const std::uint64_t share = total / parts;
     const auto first_of = [&](std::uint64_t i) { return share * i + std::min(i, total % parts); };
-    most_ = std::max<std::uint64_t>(share, 1);
+    most_ = std::max<std::uint64_t>(share / 4, 1);
     begin_ = first_of(part);
     end_ = first_of(std::uint64_t{part} + 1);
   }

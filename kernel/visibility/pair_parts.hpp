@@ -16,8 +16,8 @@ struct GroupPair {
 };
 
 /// Returns the pairs of groups that make up a part, in order. `part` is below `parts`. Each pair of patches is in
-/// exactly one part, and all parts have about the same number of pairs. If there are few pairs, parts may be empty. The
-/// walk enters only pairs of groups that overlap the part.
+/// exactly one part, and parts have three to five quarters of an equal share, or 4,096 pairs more or less. If there are
+/// few pairs, parts may be empty. The walk enters only pairs of groups that overlap the part.
 [[nodiscard]] std::vector<GroupPair> groups_of_part(const SightJob& job, std::uint32_t part, std::uint32_t parts);
 
 }  // namespace shaftcull::kernel

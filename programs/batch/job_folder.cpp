@@ -32,6 +32,12 @@ JobDescription description_in(const std::string& text) {
   return job;
 }
 
+/// Whether a name in the folder is one that jobs give: of this class, of results, and of folders of blocks.
+bool is_own(const std::string& name) {
+  return name == "job" || name == "job.new" || name == "lock" || name == "result" || name == "result.h5" ||
+         name == "bounds" || name == "trees" || name.starts_with("share-");
+}
+
 std::string value_in(const JobDescription& job, const std::string& name) {
   for (const auto& [key, value] : job) {
     if (key == name) return value;
@@ -55,7 +61,7 @@ JobFolder::~JobFolder() {
 
 void JobFolder::lock() {
   std::error_code error;
-  std::filesystem::create_directories(path_, error);
+  std::filesystem::create_directory(path_, error);
   if (error) throw InvalidArgument(fmt::format("{}: cannot be made: {}", path_, error.message()));
   lock_ = open((path_ + "/lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (lock_ < 0) throw InvalidArgument(fmt::format("{}/lock: cannot be made: {}", path_, std::strerror(errno)));
@@ -83,6 +89,12 @@ void JobFolder::begin(const JobDescription& job) {
     resumed_ = true;
     return;
   }
+  for (const auto& entry : std::filesystem::directory_iterator(path_)) {
+    const std::string name = entry.path().filename().string();
+    if (is_own(name)) continue;
+    throw InvalidArgument(
+        fmt::format("{} holds {}, which is of no job: move it away, or choose another output file", path_, name));
+  }
   {
     WrittenFile fresh(file + ".new", true);
     fresh.write_at(0, std::as_bytes(std::span(text)));
@@ -94,7 +106,13 @@ void JobFolder::begin(const JobDescription& job) {
 
 void JobFolder::remove() noexcept {
   std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
+  std::vector<std::filesystem::path> own;
+  for (auto entry = std::filesystem::directory_iterator(path_, ignored); !ignored && entry != end(entry);
+       entry.increment(ignored)) {
+    if (is_own(entry->path().filename().string())) own.push_back(entry->path());
+  }
+  for (const std::filesystem::path& path : own) std::filesystem::remove_all(path, ignored);
+  std::filesystem::remove(path_, ignored);  // fails, and is to, if it holds anything else
   if (lock_ >= 0) close(std::exchange(lock_, -1));
 }
 

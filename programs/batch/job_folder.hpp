@@ -28,13 +28,14 @@ class JobFolder {
   void lock();
 
   /// Writes down which job it is; if an unfinished job is there, compares. Throws InvalidArgument, which names the
-  /// first line that differs, if it is another job.
+  /// first line that differs, if it is another job; and if the folder is of no job, but not empty.
   void begin(const JobDescription& job);
 
   /// Whether begin() found the job begun before.
   [[nodiscard]] bool resumed() const noexcept { return resumed_; }
 
-  /// Removes the folder and all in it, and unlocks it. What cannot be removed stays.
+  /// Removes what jobs keep in the folder, and the folder if nothing else is in it, and unlocks it. What cannot be
+  /// removed stays.
   void remove() noexcept;
 
  private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// `shaftcull factors`: view factors between all facets of a mesh.
 #include <chrono>
+#include <cstdint>
 #include <memory>
 #include <utility>
 
@@ -8,6 +9,7 @@
 
 #include "batch/launcher.hpp"
 #include "factors_job.hpp"
+#include "factors_joiner.hpp"
 #include "factors_ranks.hpp"
 #include "interrupt.hpp"
 #include "number.hpp"
@@ -24,7 +26,7 @@
 namespace shaftcull::cli {
 namespace {
 
-/// Finds all factors at once.
+/// Finds all factors in this process, part by part, so that they have the bits that ranks find.
 void find(FactorsResult& result, const FactorsOptions& options) {
   const Workers workers(options.threads);
   Progress progress;
@@ -33,15 +35,24 @@ void find(FactorsResult& result, const FactorsOptions& options) {
   const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
   VisibilityProgress last{};
   ViewFactorOptions ask = factors_question(options, result);
+  ask.close_rows = false;
+  ask.parts = part_count(result.patches.size(), pairs_of_factors);
+  std::uint64_t before = 0;
   ask.progress = [&](const VisibilityProgress& now) {
-    last = now;
-    progress.update(progress_text(now, seconds()));
+    last = {before + now.done, pair_count(result.patches.size())};
+    progress.update(progress_text(last, seconds()));
     return interrupt.signal() == 0;
   };
   try {
     workers.run([&] {
       const PatchSet patches(result.patches.corners, result.patches.first);
-      result.factors = view_factors(patches, result.scene.occluders, ask);
+      FactorsJoiner joiner;
+      for (; ask.part != ask.parts; ++ask.part) {
+        ViewFactors part = view_factors(patches, result.scene.occluders, ask);
+        before += part.counts.total();
+        joiner.add(std::move(part));
+      }
+      result.factors = joiner.all(options.ask.close_rows);
       result.threads = concurrency();
     });
   } catch (const Cancelled&) {
@@ -57,7 +68,7 @@ void run(const FactorsOptions& options) {
   require_factor_files(options);
   options.isa.select();
   FactorsResult result = factors_scene(options);
-  const bool is_short = part_count(result.patches.size()) == 1;
+  const bool is_short = part_count(result.patches.size(), pairs_of_factors) == 1;
   if (!is_short && !options.out.empty() && !is_stream(options.out) && can_find_factors_in_parts()) {
     return run_factors_in_parts(options, std::move(result));
   }
@@ -117,7 +128,7 @@ void add_factors(CLI::App& program) {
       "The view factor from one facet to another is the share of the radiation of the first that arrives at the\n"
       "second. Facets radiate diffusely, on the side from which their corners are seen in counterclockwise\n"
       "order. The factors of fully visible pairs are integrated. For other pairs, rays measure the visible part.\n"
-      "Ctrl-C (SIGINT) or SIGTERM ends the run early. With about 2,900 patches or more, --out FILE stores\n"
+      "Ctrl-C (SIGINT) or SIGTERM ends the run early. With about 1,000 patches or more, --out FILE stores\n"
       "finished parts in FILE.parts/, and the same command resumes the run. With mpirun, processes share the work.");
   factors.callback([options] {
     options->scene.require_scene("factors");

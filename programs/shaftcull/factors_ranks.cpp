@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 
 #include "batch/checksum.hpp"
+#include "factors_joiner.hpp"
 #include "output_file.hpp"
 #include "part_count.hpp"
 #include "peak_memory.hpp"
@@ -90,32 +91,6 @@ ViewFactors factors_of(FactorsOfPart part, const std::vector<double>& area) {
   return factors;
 }
 
-/// Joins parts as they are read, so that few are in memory at once. Each part has arrays as long as the number of
-/// patches, even if most of its rows are empty.
-class Joiner {
- public:
-  void add(ViewFactors part) {
-    for (std::size_t level = 0;; ++level) {
-      if (levels_.size() == level) levels_.emplace_back();
-      levels_[level].push_back(std::move(part));
-      if (levels_[level].size() < most) return;
-      part = join_view_factors(std::exchange(levels_[level], {}));
-    }
-  }
-
-  [[nodiscard]] ViewFactors all(bool close_rows) {
-    std::vector<ViewFactors> left;
-    for (std::vector<ViewFactors>& level : levels_) {
-      for (ViewFactors& part : level) left.push_back(std::move(part));
-    }
-    return join_view_factors(left, close_rows);
-  }
-
- private:
-  static constexpr std::size_t most = 16;
-  std::vector<std::vector<ViewFactors>> levels_;  ///< a matrix in level i joins `most` to the power of i parts
-};
-
 class RankedFactors {
  public:
   RankedFactors(const FactorsOptions& options, std::optional<FactorsResult> scene, batch::Ranks& ranks,
@@ -133,13 +108,10 @@ class RankedFactors {
     });
     ask_ = factors_question(options_, *result_);
     const std::size_t patches = result_->patches.size();
-    ask_.parts = part_count(patches);
+    ask_.parts = part_count(patches, pairs_of_factors);
     ask_.close_rows = false;
     describe();
-    batch::on_first(ranks_, [&] {
-      static_cast<void>(std::fputs(result_->described().c_str(), stderr));
-      parts_.open(description_);
-    });
+    batch::on_first(ranks_, [&] { parts_.open(description_); });
     parts_.begin(description_, ask_.parts, pair_count(patches));
     compute();
     batch::on_first(ranks_, [&] { join(); });
@@ -160,13 +132,14 @@ class RankedFactors {
     const std::string scene = scene_checksum(result_->scene);
     const auto checksum = [](const auto& values) { return batch::checksum(std::as_bytes(std::span(values))); };
     batch::agree_on(ranks_, checksum(scene), fmt::format("{} has other patches than on rank 0", result_->source));
-    description_ = {{"version", surroundings_.version},
+    description_ = {{"command", "factors"},
+                    {"version", surroundings_.version},
                     {"scene", scene},
                     {"facets", fmt::format("{}, {:016x}", result_->patches.size(), checksum(result_->patches.corners))},
-                    {"rays", fmt::format("{}", ask_.rays)},
-                    {"error", fmt::format("{}", ask_.error)},
-                    {"least", fmt::format("{}", ask_.least)},
-                    {"seed", fmt::format("{}", ask_.seed)}};
+                    {"--rays", fmt::format("{}", ask_.rays)},
+                    {"--error", fmt::format("{}", ask_.error)},
+                    {"--min", fmt::format("{}", ask_.least)},
+                    {"--seed", fmt::format("{}", ask_.seed)}};
     const std::string text = batch::text_of(description_) + options_.out;
     batch::agree_on(ranks_, checksum(text), "was started with other options than rank 0");
   }
@@ -185,7 +158,7 @@ class RankedFactors {
   }
 
   void join() {
-    Joiner joiner;
+    FactorsJoiner joiner;
     std::vector<double> area;
     for (std::size_t part = 0; part != ask_.parts; ++part) {
       FactorsOfPart some = parts_.stored<FactorsOfPart>(part);

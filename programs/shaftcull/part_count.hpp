@@ -11,9 +11,13 @@ namespace shaftcull::cli {
 /// The number of pairs of `patches` patches.
 [[nodiscard]] std::uint64_t pair_count(std::size_t patches) noexcept;
 
-/// The number of parts: about 2 million pairs per part, and at most 512 parts. Handing out so few parts costs nothing,
+/// How many pairs a part has, about. Factors take longer.
+inline constexpr std::uint64_t pairs_of_sees = std::uint64_t{1} << 21;
+inline constexpr std::uint64_t pairs_of_factors = std::uint64_t{1} << 18;
+
+/// The number of parts: at most 512, or 128 if parts are so small. Handing out so few parts costs nothing,
 /// and yet there is work for many machines. The number depends on the number of patches alone, so that answers come in
 /// one order everywhere.
-[[nodiscard]] std::uint32_t part_count(std::size_t patches) noexcept;
+[[nodiscard]] std::uint32_t part_count(std::size_t patches, std::uint64_t pairs_of_part = pairs_of_sees) noexcept;
 
 }  // namespace shaftcull::cli

@@ -87,8 +87,12 @@ void RankedParts::deal(const char* phase, std::uint64_t pieces,
     progress_.write(state);
   };
   const auto take_pieces = [&] {
+    bool is_told = false;
     dealing.each(0, pieces, work, [&] {
       if (progress_.due()) tell();
+      if (is_told || surroundings_.interrupted() == 0) return;
+      is_told = true;
+      static_cast<void>(std::fputs("ending when the parts under way are finished\n", stderr));
     });
   };
   dealing.on_all_until_stopped(

@@ -68,11 +68,12 @@ class RankedSees {
     const std::string scene = scene_checksum(job_.scene());
     batch::agree_on(ranks_, batch::checksum(std::as_bytes(std::span(scene))),
                     fmt::format("{} has other patches than on rank 0", job_.source()));
-    description_ = {{"version", surroundings_.version},
+    description_ = {{"command", "sees"},
+                    {"version", surroundings_.version},
                     {"scene", scene},
-                    {"rays", fmt::format("{}", options.content.rays)},
-                    {"candidates", options.content.candidates ? "written" : "not written"},
-                    {"seed", fmt::format("{}", options.scene.seed)}};
+                    {"--rays", fmt::format("{}", options.content.rays)},
+                    {"--candidates", options.content.candidates ? "written" : "not written"},
+                    {"--seed", fmt::format("{}", options.scene.seed)}};
     const std::string text = batch::text_of(description_) + options.out + '\n' + options.svg + '\n' + options.ply +
                              (options.objects ? "\nobjects" : "");
     batch::agree_on(ranks_, batch::checksum(std::as_bytes(std::span(text))),

@@ -11,7 +11,7 @@ from launched import content, kill_one, launch, program, stored_blocks
 
 scene = ["--rooms", "4", "--patches", "0.3", "--rays", "16", "--error", "1"]
 npz = ["--out", "factors.npz"]
-parts = 6
+parts = 50
 
 
 def factors(ranks, *more, words=scene, **around):
@@ -100,9 +100,20 @@ def ended():
     assert os.listdir() == ["factors.npz.parts"] and 2 <= stored_blocks("factors.npz.parts") < parts
 
     # Another question does not go on there.
-    for more, changed in ((["--seed", "2"], "scene"), (["--min", "0.5"], "least"), (["--no-solids"], "scene")):
+    for more, changed in ((["--seed", "2"], "scene"), (["--min", "0.5"], "--min"), (["--no-solids"], "scene")):
         done = factors(0, *npz, *more)
         assert done.returncode == 2 and f"{changed} was" in own_lines(done)[0], done
+
+    # A folder that no job made stays as it is; and so does what somebody put into one.
+    os.makedirs("other.npz.parts/of_mine")
+    done = factors(0, "--out", "other.npz")
+    assert done.returncode == 2 and "other.npz.parts holds of_mine, which is of no job" in own_lines(done)[0], done
+    assert os.listdir("other.npz.parts") and not os.path.exists("other.npz")
+    os.removedirs("other.npz.parts/of_mine")
+    with open("factors.npz.parts/notes", "w", encoding="ascii") as file:
+        file.write("mine")
+    done = factors(0, "--out", "nowhere/factors.npz")
+    assert done.returncode == 2 and "nowhere/factors.npz.parts: cannot be made: No such file" in own_lines(done)[0], done
 
     # A block that is damaged is computed again, by any number of ranks.
     folder = "factors.npz.parts/share-0000"
@@ -115,7 +126,9 @@ def ended():
     done = factors(2, *npz)
     assert done.returncode == 0 and f"({len(blocks) - 1} from an earlier run)" in done.stderr, done
     assert take_files() == whole
-    assert not os.listdir()
+    assert os.listdir() == ["factors.npz.parts"] and os.listdir("factors.npz.parts") == ["notes"]
+    os.remove("factors.npz.parts/notes")
+    os.rmdir("factors.npz.parts")
 
     # Ranks that are killed at random points.
     seed = random.randrange(1 << 30)

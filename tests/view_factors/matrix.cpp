@@ -447,19 +447,28 @@ TEST(ViewFactors, OfPartsThatDoNotBelongTogetherAreRefused) {
   options.rays = 16;
   std::vector<ViewFactors> parts = factors_in_parts(room.patches(), room.occluders(), options, 2);
   const auto message = [&] { return message_of([&] { static_cast<void>(join_view_factors(parts)); }); };
+  const std::string not_a_matrix =
+      "parts[2] is not a matrix of view_factors(): arrays do not fit each other, or a number is not finite or below 0";
   parts.push_back(parts[1]);
   EXPECT_THAT(message(), testing::MatchesRegex(
                              "two parts have the factor from patch [0-9]+ to patch [0-9]+; each pair is in one part"));
   parts[2].area[5] *= 2;
   EXPECT_EQ(message(), "parts[2] has patches with other areas than parts[0]; all parts are of one set of patches");
   const ViewFactors taken = std::move(parts[2]);
-  EXPECT_EQ(message(), "parts[2] is not a matrix: its arrays do not fit each other");
+  EXPECT_EQ(message(), not_a_matrix);
   parts[2] = taken;
   parts[2].column.back() = static_cast<std::uint32_t>(room.size());
-  EXPECT_EQ(message(), "parts[2] is not a matrix: its arrays do not fit each other");
+  EXPECT_EQ(message(), not_a_matrix);
   parts[2] = taken;
   std::swap(parts[2].column[0], parts[2].column[1]);
-  EXPECT_EQ(message(), "parts[2] is not a matrix: its arrays do not fit each other");
+  EXPECT_EQ(message(), not_a_matrix);
+  for (const double wrong : {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    for (auto of_part : {&ViewFactors::factor, &ViewFactors::area, &ViewFactors::sum, &ViewFactors::left_out}) {
+      parts[2] = taken;
+      (parts[2].*of_part)[0] = wrong;
+      EXPECT_EQ(message(), not_a_matrix);
+    }
+  }
   parts[2] = ViewFactors{};
   EXPECT_EQ(message(), "parts[2] has 0 rows, and parts[0] has " + std::to_string(room.size()) +
                            "; all parts are of one set of patches");
