@@ -36,7 +36,7 @@ void find(FactorsResult& result, const FactorsOptions& options) {
   VisibilityProgress last{};
   ViewFactorOptions ask = factors_question(options, result);
   ask.close_rows = false;
-  ask.parts = part_count(result.patches.size(), pairs_of_factors);
+  ask.parts = part_count(result.patches.size(), parts_of_factors);
   std::uint64_t before = 0;
   ask.progress = [&](const VisibilityProgress& now) {
     last = {before + now.done, pair_count(result.patches.size())};
@@ -68,7 +68,7 @@ void run(const FactorsOptions& options) {
   require_factor_files(options);
   options.isa.select();
   FactorsResult result = factors_scene(options);
-  const bool is_short = part_count(result.patches.size(), pairs_of_factors) == 1;
+  const bool is_short = part_count(result.patches.size(), parts_of_factors) == 1;
   if (!is_short && !options.out.empty() && !is_stream(options.out) && can_find_factors_in_parts()) {
     return run_factors_in_parts(options, std::move(result));
   }

@@ -108,7 +108,7 @@ class RankedFactors {
     });
     ask_ = factors_question(options_, *result_);
     const std::size_t patches = result_->patches.size();
-    ask_.parts = part_count(patches, pairs_of_factors);
+    ask_.parts = part_count(patches, parts_of_factors);
     ask_.close_rows = false;
     describe();
     batch::on_first(ranks_, [&] { parts_.open(description_); });

@@ -10,9 +10,8 @@ std::uint64_t pair_count(std::size_t patches) noexcept {
   return count == 0 ? 0 : count * (count - 1) / 2;
 }
 
-std::uint32_t part_count(std::size_t patches, std::uint64_t pairs_of_part) noexcept {
-  const std::uint64_t most = pairs_of_part < pairs_of_sees ? 128 : 512;
-  return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(pair_count(patches) / pairs_of_part, 1, most));
+std::uint32_t part_count(std::size_t patches, const PartSizes& sizes) noexcept {
+  return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(pair_count(patches) / sizes.pairs, 1, sizes.most));
 }
 
 }  // namespace shaftcull::cli

@@ -26,7 +26,7 @@ std::uint64_t sum_before(std::span<std::uint64_t> numbers) {
 class NpzPlaces final : public SightPlaces {
  public:
   NpzPlaces(const SeesScene& scene, const PatchSet& patches, const SightContent& content)
-      : parts_(part_count(patches.size())),
+      : parts_(part_count(patches.size(), parts_of_sees)),
         answers_(answer_arrays(content)),
         scene_(scene_arrays(scene, patches.order(), content)),
         rows_(answers_.size() * parts_),
@@ -155,7 +155,7 @@ class NpzPlaces final : public SightPlaces {
 class CsvPlaces final : public SightPlaces {
  public:
   CsvPlaces(const PatchSet& patches, std::uint32_t rays)
-      : order_(patches.order()), rays_(rays), parts_(part_count(patches.size())), bytes_(2 * parts_) {}
+      : order_(patches.order()), rays_(rays), parts_(part_count(patches.size(), parts_of_sees)), bytes_(2 * parts_) {}
 
   void measure(std::size_t part, const PartAnswer& answer) override {
     CsvLength length(order_, rays_);

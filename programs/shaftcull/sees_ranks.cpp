@@ -54,7 +54,7 @@ class RankedSees {
     describe();
     batch::on_all(ranks_, [&] { begin_files(); });
     batch::on_first(ranks_, [&] { announce(); });
-    parts_.begin(description_, part_count(job_.patches().size()), pair_count(job_.patches().size()));
+    parts_.begin(description_, part_count(job_.patches().size(), parts_of_sees), pair_count(job_.patches().size()));
     compute();
     if (places_) write_file();
     finish();
@@ -131,7 +131,7 @@ class RankedSees {
       const auto answer = std::make_shared<const PartAnswer>(parts_.stored<PartAnswer>(part));
       return [&, part, answer] { places_->write_part(part, *answer, *file); };
     };
-    parts_.deal("write", others + part_count(job_.patches().size()), read);
+    parts_.deal("write", others + part_count(job_.patches().size(), parts_of_sees), read);
     ranks_.sum(places_->sums());
     batch::on_all(ranks_, [&] {
       if (ranks_.rank() == 0) places_->complete(*file);

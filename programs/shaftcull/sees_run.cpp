@@ -129,7 +129,7 @@ SeesCounts PartQuestion::deliver(std::size_t part, std::span<SightSink* const> s
   VisibilityOptions options = options_;
   options.progress = progress;
   options.part = static_cast<std::uint32_t>(part);
-  options.parts = part_count(patches_.size());
+  options.parts = part_count(patches_.size(), parts_of_sees);
   if (content_.rays == 0 && sinks.empty()) {
     counts.sights = count_visibility(patches_, scene_.occluders, options);
     return counts;
@@ -158,7 +158,7 @@ SeesCounts find_what_sees(const SeesScene& scene, const PatchSet& patches, const
   if (work.progress) {
     progress = [&](const VisibilityProgress& now) { return work.progress({before + now.done, total}); };
   }
-  for (std::size_t part = 0; part != part_count(patches.size()); ++part) {
+  for (std::size_t part = 0; part != part_count(patches.size(), parts_of_sees); ++part) {
     const SeesCounts some = question.deliver(part, sinks, progress);
     counts += some;
     before += some.sights.total();

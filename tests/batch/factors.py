@@ -7,7 +7,7 @@ import signal
 import subprocess
 import time
 
-from launched import content, kill_one, launch, program, stored_blocks
+from launched import kill_one, launch, own_lines, program, stored_blocks, take_files
 
 scene = ["--rooms", "4", "--patches", "0.3", "--rays", "16", "--error", "1"]
 npz = ["--out", "factors.npz"]
@@ -24,18 +24,6 @@ def report_of(ranks, *more, **others):
     assert done.returncode == 0, done
     report = json.loads(done.stdout)
     return {name: value for name, value in report.items() if name not in ("seconds", "memory", "threads", "ranks")}
-
-
-def take_files():
-    """Contents of all files by name, which are removed."""
-    files = {name: content(name) for name in os.listdir() if os.path.isfile(name)}
-    for name in files:
-        os.remove(name)
-    return files
-
-
-def own_lines(done):
-    return [line for line in done.stderr.splitlines() if line.startswith("shaftcull: ")]
 
 
 def on_ranks():

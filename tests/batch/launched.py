@@ -32,6 +32,19 @@ def content(path):
         return file.read()
 
 
+def take_files():
+    """Contents of all files by name, which are removed."""
+    files = {name: content(name) for name in os.listdir() if os.path.isfile(name)}
+    for name in files:
+        os.remove(name)
+    return files
+
+
+def own_lines(done):
+    """What the program itself said, without progress."""
+    return [line for line in done.stderr.splitlines() if line.startswith("shaftcull: ")]
+
+
 def descendants(pid):
     found = []
     for task in os.listdir(f"/proc/{pid}/task"):

@@ -7,7 +7,7 @@ import signal
 import stat
 import subprocess
 
-from launched import content, kill_one, launch, program, stored_blocks
+from launched import content, kill_one, launch, own_lines, program, stored_blocks, take_files
 
 npz = ["--out", "seen.npz"]
 both = [*npz, "--candidates", "--svg", "seen.svg", "--ply", "seen.ply"]
@@ -24,18 +24,6 @@ def found_by(ranks, *more, **others):
     done = sees(ranks, *more, "--format", "json", **others)
     assert done.returncode == 0, done
     return json.loads(done.stdout)
-
-
-def take_files():
-    """Contents of all files by name, which are removed."""
-    files = {name: content(name) for name in os.listdir() if os.path.isfile(name)}
-    for name in files:
-        os.remove(name)
-    return files
-
-
-def own_lines(done):
-    return [line for line in done.stderr.splitlines() if line.startswith("shaftcull: ")]
 
 
 def on_ranks():
