@@ -38,6 +38,17 @@ bool is_own(const std::string& name) {
          name == "bounds" || name == "trees" || name.starts_with("share-");
 }
 
+/// Throws InvalidArgument for a folder that holds anything, but no job.
+void require_own(const std::string& folder) {
+  if (std::filesystem::exists(folder + "/job")) return;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (is_own(name)) continue;
+    throw InvalidArgument(
+        fmt::format("{} holds {}, which is of no job: move it away, or choose another output file", folder, name));
+  }
+}
+
 std::string value_in(const JobDescription& job, const std::string& name) {
   for (const auto& [key, value] : job) {
     if (key == name) return value;
@@ -63,6 +74,7 @@ void JobFolder::lock() {
   std::error_code error;
   std::filesystem::create_directory(path_, error);
   if (error) throw InvalidArgument(fmt::format("{}: cannot be made: {}", path_, error.message()));
+  require_own(path_);
   lock_ = open((path_ + "/lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (lock_ < 0) throw InvalidArgument(fmt::format("{}/lock: cannot be made: {}", path_, std::strerror(errno)));
   if (flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
@@ -88,12 +100,6 @@ void JobFolder::begin(const JobDescription& job) {
     }
     resumed_ = true;
     return;
-  }
-  for (const auto& entry : std::filesystem::directory_iterator(path_)) {
-    const std::string name = entry.path().filename().string();
-    if (is_own(name)) continue;
-    throw InvalidArgument(
-        fmt::format("{} holds {}, which is of no job: move it away, or choose another output file", path_, name));
   }
   {
     WrittenFile fresh(file + ".new", true);

@@ -24,11 +24,12 @@ class JobFolder {
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
 
   /// Makes the folder if there is none, and locks it; where the file system has no locks, it goes without. Throws
-  /// InvalidArgument if it cannot be made, std::runtime_error if another run has locked it.
+  /// InvalidArgument if it cannot be made, or holds
+  /// anything but no job; std::runtime_error if another run has locked it.
   void lock();
 
   /// Writes down which job it is; if an unfinished job is there, compares. Throws InvalidArgument, which names the
-  /// first line that differs, if it is another job; and if the folder is of no job, but not empty.
+  /// first line that differs, if it is another job.
   void begin(const JobDescription& job);
 
   /// Whether begin() found the job begun before.

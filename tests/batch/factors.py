@@ -96,7 +96,7 @@ def ended():
     os.makedirs("other.npz.parts/of_mine")
     done = factors(0, "--out", "other.npz")
     assert done.returncode == 2 and "other.npz.parts holds of_mine, which is of no job" in own_lines(done)[0], done
-    assert os.listdir("other.npz.parts") and not os.path.exists("other.npz")
+    assert os.listdir("other.npz.parts") == ["of_mine"] and not os.path.exists("other.npz")
     os.removedirs("other.npz.parts/of_mine")
     with open("factors.npz.parts/notes", "w", encoding="ascii") as file:
         file.write("mine")
