@@ -24,8 +24,8 @@ class JobFolder {
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
 
   /// Makes the folder if there is none, and locks it; where the file system has no locks, it goes without. Throws
-  /// InvalidArgument if it cannot be made, or holds
-  /// anything but no job; std::runtime_error if another run has locked it.
+  /// InvalidArgument if it cannot be made, or holds anything although no job made it; std::runtime_error if another run
+  /// has locked it.
   void lock();
 
   /// Writes down which job it is; if an unfinished job is there, compares. Throws InvalidArgument, which names the

@@ -396,7 +396,7 @@ def errors():
         "halves.npy: holds numbers of NumPy's type <f2": ["--bounds", "halves.npy", "--shafts", "shafts.npy", *out],
         "far.npy: is (5, 9) of float64; only shafts of two boxes may be": [
             "--bounds", "bounds.npy", "--shafts", "far.npy", "--kinds", "swept", *out],
-        "--origin 0,nan,0: give finite numbers": [
+        "--origin 0,nan,0: y is nan; give finite numbers": [
             "--bounds", "bounds.npy", "--shafts", "shafts.npy", "--origin", "0,nan,0", *out],
         "shafts.npy: is (500, 12) of float32; bounds are rows": ["--bounds", "shafts.npy", "--shafts", "shafts.npy", *out],
         "bounds.npy: is (500, 6) of float32; shafts": ["--bounds", "bounds.npy", "--shafts", "bounds.npy", *out],
