@@ -195,6 +195,7 @@ class Ladder {
   Faced faced_;                                ///< of the row of patches at hand
   std::vector<PointsBetween> points_between_;  ///< of candidates at hand that lanes are asked about
   std::vector<PatchCorners> box_corners_;      ///< of those candidates that are boxes
+  const std::unique_ptr<ReachSpace> reach_space_ = std::make_unique_for_overwrite<ReachSpace>();
   std::vector<Segments> segments_;
   std::vector<PointsBehind> points_behind_;
   std::vector<std::uint64_t> clump_lanes_;  // of each clump, the lanes that come near it

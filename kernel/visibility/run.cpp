@@ -79,11 +79,11 @@ class Run {
     };
     const Ladder::Full full = is_full;
     in_float_environment([&] {
-      Ladder ladder(job_);
+      const LadderPool::Borrowed ladder(ladders_);
       for (const GroupPair& groups : groups_) {
         all.a = groups.a;
         all.b = groups.b;
-        ladder.split(all, budget_.most_pairs(), leave, {before_, budget_.bytes_before(), full});
+        ladder->split(all, budget_.most_pairs(), leave, {before_, budget_.bytes_before(), full});
       }
     });
     flush();

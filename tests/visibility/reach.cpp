@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -118,6 +119,7 @@ TEST(ReachInLanes, IsCertainOnlyOfWhatExactPlanesSay) {
     }
     on_each_instruction_set([&] {
       const auto& kernels = kernel::active_kernels().siblings;
+      const auto space = std::make_unique<kernel::ReachSpace>();
       for (const std::uint64_t asked : {~std::uint64_t{0}, std::uint64_t{0x0123456789abcdef}}) {
         for (const bool is_one_enough : {false, true}) {
           std::vector<PointsBetween> between;
@@ -125,7 +127,7 @@ TEST(ReachInLanes, IsCertainOnlyOfWhatExactPlanesSay) {
             between.push_back({points[i].data(), static_cast<std::uint32_t>(points[i].size()), is_one_enough ? 0 : i,
                                i < 2, asked, 0, 0});
           }
-          kernels.reach_between(pairs, tolerance, between.data(), between.size());
+          kernels.reach_between(pairs, tolerance, between.data(), between.size(), *space);
           std::uint64_t reached = 0;
           for (std::size_t i = 0; i != sets; ++i) {
             ASSERT_EQ(between[i].reaching & (left_out[i] | ~asked), 0U) << "of points " << i;
@@ -158,7 +160,8 @@ TEST(ReachInLanes, FindsATriangleThatReachesALittleIntoAShaft) {
     std::vector<PointsBetween> points{{below.data(), 3, 0, true, 0b10101, 0, 0},
                                       {beside.data(), 3, 1, true, 0b10101, 0, 0},
                                       {reaching.data(), 3, 2, true, 0b10101, 0, 0}};
-    kernel::active_kernels().siblings.reach_between(pairs, 0x1p-10F, points.data(), points.size());
+    const auto space = std::make_unique<kernel::ReachSpace>();
+    kernel::active_kernels().siblings.reach_between(pairs, 0x1p-10F, points.data(), points.size(), *space);
     EXPECT_EQ(points[0].separate, 0b10101U);
     EXPECT_EQ(points[0].reaching, 0U);
     EXPECT_EQ(points[1].separate, 0U);

@@ -2,6 +2,9 @@
 /// Which points reach between a patch and each of up to 64 others: certainly, or certainly not.
 #pragma once
 
+#include <cstddef>
+#include <type_traits>
+
 #include "kernels/shared/word.hpp"
 #include "kernels/siblings/sibling_packing.hpp"
 #include "kernels/siblings/tangents.hpp"
@@ -28,6 +31,9 @@ class ReachInLanes {
 
   ReachInLanes(const CornersOfPairs& pairs, unsigned lane, const TangentErrors& errors) noexcept
       : pairs_(pairs), errors_(errors), tangents_(pairs, lane, errors) {}
+
+  /// In memory of the caller's. That of the standard is one inline function, which no instruction set may compile.
+  static void* operator new(std::size_t, ReachSpace& space) noexcept { return space.bytes; }
 
   /// Bits of those of `asked`, from bit 0 on.
   [[nodiscard]] Found of(const PointsBetween& points, std::uint64_t asked) const noexcept {
@@ -149,7 +155,11 @@ bool bound_tangent_errors(const CornersOfPairs& pairs, float tolerance, const Po
 
 /// As SiblingKernels has it.
 template <class L>
-void reach_between(const CornersOfPairs& pairs, float tolerance, PointsBetween* points, std::size_t number) noexcept {
+void reach_between(const CornersOfPairs& pairs, float tolerance, PointsBetween* points, std::size_t number,
+                   ReachSpace& space) noexcept {
+  using Reach = ReachInLanes<L>;
+  static_assert(sizeof(Reach) <= sizeof(ReachSpace) && alignof(Reach) <= alignof(ReachSpace));
+  static_assert(std::is_trivially_destructible_v<Reach>);
   std::uint64_t asked = 0;
   for (std::size_t i = 0; i != number; ++i) {
     asked |= points[i].asked;
@@ -185,7 +195,7 @@ void reach_between(const CornersOfPairs& pairs, float tolerance, PointsBetween* 
   const std::uint64_t all = pack(asked);
   for (unsigned lane = 0; lane < packed.count; lane += L::width) {
     if ((all & lanes_of<L>(lane)) == 0) continue;
-    const ReachInLanes<L> reach(packed, lane, errors);
+    const Reach& reach = *new (space) Reach(packed, lane, errors);
     std::uint64_t reached = 0;
     for (std::size_t i = 0; i != number; ++i) {
       if (i == 0 || points[i].occluder != points[i - 1].occluder) reached = 0;

@@ -139,6 +139,11 @@ struct PointsBetween {
   std::uint64_t separate;  ///< certainly behind a plane that touches both patches
 };
 
+/// Memory that reach_between() works in: too much for a caller's stack.
+struct alignas(64) ReachSpace {
+  std::byte bytes[40960];
+};
+
 /// A box and a ball around a solid, a little larger than need be.
 struct SolidBounds {
   bool has_interior;
@@ -220,8 +225,8 @@ struct SiblingKernels {
 
   /// Which of a list of points reach between a patch and others, of `pairs.planes()` ≤ most_planes. What is not certain
   /// is left open.
-  void (*reach_between)(const CornersOfPairs& pairs, float tolerance, PointsBetween* points,
-                        std::size_t number) noexcept;
+  void (*reach_between)(const CornersOfPairs& pairs, float tolerance, PointsBetween* points, std::size_t number,
+                        ReachSpace& space) noexcept;
 
   /// The patches of `asked`, of `count` ≤ 64, all of whose corners, in streams as above, lie behind all planes. Bits
   /// are the same on all instruction sets.
