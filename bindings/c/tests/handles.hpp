@@ -67,6 +67,11 @@ inline shaftcull_source source_of(const std::vector<shaftcull_triangle>& triangl
   return shaftcull_triangles(triangles.data(), triangles.size());
 }
 
+/// Values of C++.
+inline SightCounts as_cpp(const shaftcull_sight_counts& counts) {
+  return {counts.undecided, counts.clear, counts.occluded, counts.facing_away};
+}
+
 /// The state of an object: describe() writes it.
 template <class Info, class Handle>
 Info described(shaftcull_status (*describe)(const Handle*, Info*), const Handle* handle) {

@@ -14,7 +14,7 @@ target_include_directories(test_c PRIVATE ${c_tests} ${PROJECT_SOURCE_DIR}/bindi
 if(shaftcull_wasm)  # where errors are no statuses; the npm package tests them
   return()
 endif()
-target_sources(test_c PRIVATE ${c_tests}/errors.cpp ${c_tests}/visibility.cpp)
+target_sources(test_c PRIVATE ${c_tests}/errors.cpp ${c_tests}/view_factors.cpp ${c_tests}/visibility.cpp)
 
 # It replaces operator new, so it is a program of its own.
 shaftcull_test(c_memory
