@@ -169,6 +169,23 @@ says "goes on without g++-12-multilib"
 not_called apt-get
 called "ctest --preset release"
 
+# A step of test --ci builds what needs no more than the quick tests, while it installs the rest.
+action=(test --layer ci)
+scenario="a step of CI, sudo"
+system apt-get dpkg-query sudo c++ cmake ctest ninja
+knows
+step_run() { run "$@" SHAFTCULL_STEP=yes 3>>"$work/log/announced"; }
+step_run 0 INSTALLED="$needed libgtest-dev libgmock-dev libgmp-dev"
+called "apt-get install -qy --no-install-recommends clang qemu-user valgrind doxygen mkdocs mkdocs-material $optional"
+called "apt-get install -qy --no-remove --no-install-recommends clang-19"
+called "--target shaftcull_quick_tests"
+called "--target shaftcull_ci_tests"
+
+scenario="a step of CI, sudo, but no network"
+step_run 1 APT_RESULT=100 INSTALLED="$needed libgtest-dev libgmock-dev libgmp-dev"
+says "the packages could not be installed"
+not_called ctest
+
 # Another processor's cross compiler is not there, its library of tests is.
 action=(test --preset arm64 --only same_bits)
 scenario="test of another processor, sudo"

@@ -3,6 +3,26 @@
 
 presets=(release debug asan tsan serial clang arm64 s390x windows wasm)
 
+# install_for_tests PRESET LAYER AREA: what building and running these tests needs, and what some of them are skipped without.
+install_for_tests() {
+  use_packages_of "$@"
+  install_missing
+  if [[ $1 != release ]]; then return 0; fi
+  if [[ $2 == @(ci|all) ]]; then
+    install_known embedding "${embedding_packages[@]}"
+    install_known "64-bit ARM" "${arm64_packages[@]}"
+    install_known s390x "${s390x_packages[@]}"
+  fi
+  if [[ $2 == all ]]; then
+    unpack_libcxx "${libcxx_versions[@]}"
+    install_known "32-bit builds" "${bits_32_packages[@]}"
+    install_known "64-bit RISC-V" "${riscv64_packages[@]}"
+    install_known Windows "${windows_packages[@]}"
+  fi
+  if [[ $2 == @(ci|all) || $3 == python ]]; then install_known Python "${python_packages[@]}"; fi
+  if [[ $2 == @(ci|all) || $3 == batch ]]; then install_known batch "${batch_packages[@]}"; fi
+}
+
 # run_tests [--preset NAME] [--layer quick|ci|all] [--only AREA] [ctest option…]
 run_tests() {
   local preset= layer= area= options=() targets=() filter=() start=$SECONDS installed built
@@ -21,22 +41,18 @@ run_tests() {
   [[ " ${presets[*]} " == *" $preset "* ]] || stop "cmake/run: there is no preset \"$preset\" of tests, only ${presets[*]}"
   if [[ $area && $preset == release && $layer == all ]]; then layer=area; fi  # of release, one area needs little of the rest
 
-  use_packages_of "$preset" "$layer" "$area"
-  install_missing
-  if [[ $preset == release && $layer == @(ci|all) ]]; then
-    install_known embedding "${embedding_packages[@]}"
-    install_known "64-bit ARM" "${arm64_packages[@]}"
-    install_known s390x "${s390x_packages[@]}"
+  if [[ $preset == release && $layer == ci && ${SHAFTCULL_STEP:-} ]]; then
+    # Most of the packages are for a few tests, and take minutes to install. All other tests are built meanwhile.
+    use_packages_of release quick ""
+    install_missing
+    installed=$SECONDS
+    (packages=() optional_packages=() && install_for_tests release ci "") &
+    configure_and_build release -D SHAFTCULL_BUILD_TESTS=ON shaftcull_quick_tests
+    wait $!
+  else
+    install_for_tests "$preset" "$layer" "$area"
+    installed=$SECONDS
   fi
-  if [[ $preset == release && $layer == all ]]; then
-    unpack_libcxx "${libcxx_versions[@]}"
-    install_known "32-bit builds" "${bits_32_packages[@]}"
-    install_known "64-bit RISC-V" "${riscv64_packages[@]}"
-    install_known Windows "${windows_packages[@]}"
-  fi
-  if [[ $preset == release && ($layer == @(ci|all) || $area == python) ]]; then install_known Python "${python_packages[@]}"; fi
-  if [[ $preset == release && ($layer == @(ci|all) || $area == batch) ]]; then install_known batch "${batch_packages[@]}"; fi
-  installed=$SECONDS
 
   if [[ $preset == release ]]; then
     options=(-D SHAFTCULL_BUILD_TESTS=ON -D SHAFTCULL_BUILD_PYTHON=AUTO)

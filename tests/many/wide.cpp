@@ -54,6 +54,7 @@ class Wide : public testing::Test {
 };
 
 TEST_F(Wide, BitsAndCountsAreOfAllBounds) {
+  if (is_run_often()) GTEST_SKIP() << "scans take half a minute: --layer all";
   std::vector<std::uint64_t> kept(bit_words(count));
   cull(shaft_, boxes_, kept);
   std::vector<std::uint64_t> set;
@@ -70,6 +71,7 @@ TEST_F(Wide, BitsAndCountsAreOfAllBounds) {
 }
 
 TEST_F(Wide, ListsReachAsFarAsIndicesOfThirtyTwoBitsCan) {
+  if (is_run_often()) GTEST_SKIP() << "scans take half a minute: --layer all";
   const BoxView most = boxes_.slice(0, (std::size_t{1} << 32U) - 1);
   const std::vector<std::uint32_t> right = {3, 0xfffffffe};
   IndexLists lists;
