@@ -13,9 +13,9 @@ describe('boxes', () => {
     await shot('between_light');
   });
 
-  // docs/web.md makes docs/page.webp of its pictures.
+  // docs/page.webp is made of its pictures (docs/web.md).
   test('TheCountsFollowABoxThatIsDraggedInACircle', async () => {
-    await open({viewport: {width: 1000, height: 560}});
+    await open({viewport: {width: 1180, height: 640}});
     const before = await state();
     const canvas = await page.locator('#canvas').boundingBox();
     const x = canvas.x + before.onCanvas.b.x;
@@ -26,7 +26,7 @@ describe('boxes', () => {
     await page.mouse.down();
     for (let step = 0; step < steps; step++) {
       const angle = 2 * Math.PI * step / steps;
-      await page.mouse.move(x - 150 * Math.sin(angle), y - 90 * (1 - Math.cos(angle)));
+      await page.mouse.move(x + 150 * Math.sin(angle), y - 100 * (1 - Math.cos(angle)));
       const {counts, question} = await state();
       seen.add(`${counts.overlap} ${counts.inside}`);
       assert.deepEqual(question.a, before.question.a);
