@@ -241,13 +241,16 @@ enum {
   SHAFTCULL_BOXES_AROUND = 0,   /* of 6 doubles, lo and hi: the smallest boxes that contain the true ones */
   SHAFTCULL_BOXES_WITHIN = 1,   /* of 6 doubles: the largest boxes inside, for boxes that hide or contain others */
   SHAFTCULL_SPHERES_AROUND = 2, /* of 4 doubles, centre and radius: spheres that contain the true ones */
-  SHAFTCULL_NEAREST = 3         /* of 3 doubles: the nearest floats, for points, vertices and corners */
+  SHAFTCULL_NEAREST = 3,        /* of 3 doubles: the nearest floats, for points, vertices and corners */
+  SHAFTCULL_PLANES_AROUND = 4   /* of 4 doubles, normal and offset, behind the 6 doubles of one box: planes that keep
+                                   all points of the box that the true ones keep */
 };
 
-/// Converts `count` boxes, spheres or points of a world in doubles to floats relative to an origin of 3 doubles. If no
-/// box of floats is within a box, the result is the empty box. Values that streams refuse stay as they are: NaN,
-/// lo > hi, and a radius below 0. Refuses an origin that is not finite, and a rounding that is not an enumerator.
-/// `from` and `to` must not overlap. O(count); no allocation.
+/// Converts `count` boxes, spheres, points or planes of a world in doubles to floats relative to an origin of 3
+/// doubles. If no box of floats is within a box, the result is the empty box. Values that streams refuse stay as they
+/// are: NaN, lo > hi, and a radius below 0. Refuses an origin that is not finite, and a rounding that is not an
+/// enumerator; of planes also a plane or a box that is not finite, or is beyond the largest float. `from` and `to` must
+/// not overlap. O(count); no allocation.
 SHAFTCULL_API shaftcull_status shaftcull_relative(const double origin[3], shaftcull_rounding rounding,
                                                   const double* from, uint64_t count, float* to);
 

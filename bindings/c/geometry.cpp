@@ -12,10 +12,12 @@
 using namespace shaftcull::binding;
 using shaftcull::Box;
 using shaftcull::Origin;
+using shaftcull::Plane;
 using shaftcull::Sphere;
 using shaftcull::Vec3;
 using shaftcull::ViewPlanes;
 using shaftcull::WorldBox;
+using shaftcull::WorldPlane;
 using shaftcull::WorldSphere;
 using shaftcull::WorldVec3;
 
@@ -65,10 +67,16 @@ shaftcull_status shaftcull_relative(const double origin[3], shaftcull_rounding r
         converted(reinterpret_cast<const WorldVec3*>(from), reinterpret_cast<Vec3*>(to),
                   [&](auto in, auto out) { there.nearest(in, out); });
         break;
+      case SHAFTCULL_PLANES_AROUND:
+        if (count == 0) break;
+        (void)given(from, "from");
+        converted(reinterpret_cast<const WorldPlane*>(from + 6), reinterpret_cast<Plane*>(to),
+                  [&](auto in, auto out) { there.around(in, *boxes, out); });
+        break;
       default:
         refuse("rounding = " + std::to_string(rounding) +
-               " is none of SHAFTCULL_BOXES_AROUND, SHAFTCULL_BOXES_WITHIN, SHAFTCULL_SPHERES_AROUND and "
-               "SHAFTCULL_NEAREST");
+               " is none of SHAFTCULL_BOXES_AROUND, SHAFTCULL_BOXES_WITHIN, SHAFTCULL_SPHERES_AROUND, "
+               "SHAFTCULL_NEAREST and SHAFTCULL_PLANES_AROUND");
     }
   });
 }

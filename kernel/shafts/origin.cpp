@@ -137,8 +137,45 @@ void require_usable(const char* call, const WorldBox& box) {
   if (!is_usable) kernel::fail(InvalidArgument(std::string(call) + ": the box is not finite with lo <= hi"));
 }
 
-[[noreturn]] void refuse_plane(const char* why) {
-  kernel::fail(InvalidArgument(std::string("Origin::around: the plane ") + why));
+/// A half-space of floats, or why there is none.
+struct FoundPlane {
+  Plane plane;
+  const char* fault = nullptr;
+};
+
+/// With q = p − at, normal·p ≤ offset is normal·q ≤ offset − normal·at. The rounded normal differs from the given one
+/// by `turned`, whose product with q is greatest in a corner of the box.
+FoundPlane plane_around(const WorldPlane& plane, const WorldBox& box, const WorldVec3& at) noexcept {
+  constexpr FoundPlane too_far{{}, "is farther away than the largest float"};
+  if (!is_finite(plane.normal) || !std::isfinite(plane.offset)) return {{}, "is not finite"};
+  Plane result;
+  kernel::Expansion<10> offset(plane.offset);
+  double more = 0;
+  double rounding = 0;
+  for (std::size_t k = 0; k != 3; ++k) {
+    result.normal[k] = nearest_float(plane.normal[k]);
+    if (std::isinf(result.normal[k])) return {{}, "has a normal beyond the largest float"};
+    const TwoTerms product = two_product(plane.normal[k], -at[k]);
+    offset.grow(product.error);
+    offset.grow(product.sum);
+    const bool is_tiny = std::fabs(product.sum) < 0x1p-900;  // where products are not exact
+    if (is_tiny && plane.normal[k] != 0 && at[k] != 0) rounding += 0x1p-1000;
+    const double turned = result.normal[k] - plane.normal[k];
+    if (turned == 0) continue;
+    const double most = std::fmax(turned * (box.lo[k] - at[k]), turned * (box.hi[k] - at[k]));
+    more += most;
+    rounding += std::fabs(most) * (8 * DBL_EPSILON) + 0x1p-1000;
+  }
+  offset.grow(more);
+  offset.grow(rounding);
+  double sum = 0;
+  for (std::size_t i = 0; i != offset.size(); ++i) sum += offset[i];
+  if (!(std::fabs(sum) <= FLT_MAX)) return too_far;
+  result.offset = nearest_float(sum);
+  offset.grow(-result.offset);
+  result.offset = stepped_up(result.offset, offset.sign() > 0);
+  if (std::isinf(result.offset)) return too_far;
+  return {result};
 }
 
 /// The largest power of two that is not above a positive number.
@@ -148,14 +185,19 @@ double power_of_two_below(double x) noexcept {
   return std::ldexp(1.0, exponent - 1);
 }
 
-template <class From, class To, class Convert>
-void convert_all(std::span<const From> from, std::span<To> to, const char* what, Convert&& convert) {
+template <class From, class To>
+void require_as_many(std::span<const From> from, std::span<To> to, const char* what) {
   kernel::require_memory(what, from, what);
   kernel::require_memory("to", to, what);
   if (from.size() != to.size()) {
     kernel::fail(InvalidArgument("to has room for " + std::to_string(to.size()) + " " + what + ", and there are " +
                                  std::to_string(from.size())));
   }
+}
+
+template <class From, class To, class Convert>
+void convert_all(std::span<const From> from, std::span<To> to, const char* what, Convert&& convert) {
+  require_as_many(from, to, what);
   kernel::in_float_environment([&] {
     for (std::size_t i = 0; i != from.size(); ++i) to[i] = convert(from[i]);
   });
@@ -198,37 +240,9 @@ Sphere Origin::around(const WorldSphere& sphere) const noexcept {
 Plane Origin::around(const WorldPlane& plane, const WorldBox& box) const {
   return kernel::in_float_environment([&] {
     require_usable("Origin::around", box);
-    if (!is_finite(plane.normal) || !std::isfinite(plane.offset)) refuse_plane("is not finite");
-    // With q = p − at, normal·p ≤ offset is normal·q ≤ offset − normal·at. The rounded normal differs from the given
-    // one by `turned`, whose product with q is greatest in a corner of the box.
-    Plane result;
-    kernel::Expansion<10> offset(plane.offset);
-    double more = 0;
-    double rounding = 0;
-    for (std::size_t k = 0; k != 3; ++k) {
-      result.normal[k] = nearest_float(plane.normal[k]);
-      if (std::isinf(result.normal[k])) refuse_plane("has a normal beyond the largest float");
-      const TwoTerms product = two_product(plane.normal[k], -at_[k]);
-      offset.grow(product.error);
-      offset.grow(product.sum);
-      const bool is_tiny = std::fabs(product.sum) < 0x1p-900;  // where products are not exact
-      if (is_tiny && plane.normal[k] != 0 && at_[k] != 0) rounding += 0x1p-1000;
-      const double turned = result.normal[k] - plane.normal[k];
-      if (turned == 0) continue;
-      const double most = std::fmax(turned * (box.lo[k] - at_[k]), turned * (box.hi[k] - at_[k]));
-      more += most;
-      rounding += std::fabs(most) * (8 * DBL_EPSILON) + 0x1p-1000;
-    }
-    offset.grow(more);
-    offset.grow(rounding);
-    double sum = 0;
-    for (std::size_t i = 0; i != offset.size(); ++i) sum += offset[i];
-    if (!(std::fabs(sum) <= FLT_MAX)) refuse_plane("is farther away than the largest float");
-    result.offset = nearest_float(sum);
-    offset.grow(-result.offset);
-    result.offset = stepped_up(result.offset, offset.sign() > 0);
-    if (std::isinf(result.offset)) refuse_plane("is farther away than the largest float");
-    return result;
+    const FoundPlane found = plane_around(plane, box, at_);
+    if (found.fault != nullptr) kernel::fail(InvalidArgument(std::string("Origin::around: the plane ") + found.fault));
+    return found.plane;
   });
 }
 
@@ -252,6 +266,18 @@ void Origin::around(std::span<const WorldBox> boxes, std::span<Box> to) const {
 
 void Origin::around(std::span<const WorldSphere> spheres, std::span<Sphere> to) const {
   convert_all(spheres, to, "spheres", [&](const WorldSphere& sphere) { return sphere_around(sphere, at_); });
+}
+
+void Origin::around(std::span<const WorldPlane> planes, const WorldBox& box, std::span<Plane> to) const {
+  require_as_many(planes, to, "planes");
+  kernel::in_float_environment([&] {
+    require_usable("Origin::around", box);
+    for (std::size_t i = 0; i != planes.size(); ++i) {
+      const char* const fault = plane_around(planes[i], box, at_).fault;
+      if (fault != nullptr) kernel::fail(InvalidArgument("Origin::around: plane " + std::to_string(i) + " " + fault));
+    }
+    for (std::size_t i = 0; i != planes.size(); ++i) to[i] = plane_around(planes[i], box, at_).plane;
+  });
 }
 
 void Origin::within(std::span<const WorldBox> boxes, std::span<Box> to) const {

@@ -43,18 +43,23 @@ inline void add_forming_calls(CallTable& table) {
       origin.around(std::span(&world, 1), around);
       origin.within(std::span(&world, 1), within);
       origin.around(std::span(&sphere, 1), spheres_around);
+      const WorldPlane turned{{0x1.5555555555555p-2, 1e-42, 1}, 0x1.2492492492492p-3};
+      Plane planes_around[1];
+      origin.around(std::span(&turned, 1), world, planes_around);
       origin.nearest(std::span(&world.hi, 1), points);
       note(words, origin.at());
       note(words, around[0]);
       note(words, within[0]);
       note(words, spheres_around[0]);
+      note(words, planes_around[0].normal);
+      note(words, planes_around[0].offset);
       note(words, points[0]);
       note(words, origin.around(world));
       note(words, origin.within(world));
       note(words, origin.around(sphere));
       note(words, origin.nearest(world.lo));
       note(words, origin.to_world({0.1F, 1e-42F, 1}));
-      const Plane plane = origin.around(WorldPlane{{0x1.5555555555555p-2, 1e-42, 1}, 0x1.2492492492492p-3}, world);
+      const Plane plane = origin.around(turned, world);
       note(words, plane.normal);
       note(words, plane.offset);
     }

@@ -214,6 +214,9 @@ TEST(Origin, PlanesKeepAllOfTheBoxThatTheyKept) {
     const WorldVec3& on = points[random.below(16)];
     plane.offset = plane.normal[0] * on[0] + plane.normal[1] * on[1] + plane.normal[2] * on[2];
     const Plane found = origin.around(plane, box);
+    Plane together[2];
+    origin.around(std::vector<WorldPlane>{{{1, 0, 0}, 0}, plane}, box, together);
+    EXPECT_EQ(together[1], found);
     for (const WorldVec3& point : points) {
       mpq_class before = 0;
       mpq_class now = 0;
@@ -254,6 +257,13 @@ TEST(Origin, PlanesThatFloatsCannotHoldAreRefused) {
               }),
               HasSubstr("lo <= hi"));
   EXPECT_GE(origin.around(WorldPlane{{1e-300, 0, 0}, 0}, box).offset, 0);
+  const std::vector<WorldPlane> planes{{{1, 0, 0}, 0}, {{1e39, 0, 0}, 1}};
+  std::vector<Plane> to(2, Plane{{7, 7, 7}, 7});
+  EXPECT_EQ(message_of([&] { origin.around(planes, box, to); }),
+            "Origin::around: plane 1 has a normal beyond the largest float");
+  EXPECT_EQ(message_of([&] { origin.around(planes, box, std::span(to).first(1)); }),
+            "to has room for 1 planes, and there are 2");
+  EXPECT_EQ(to, std::vector<Plane>(2, Plane{{7, 7, 7}, 7}));
 }
 
 TEST(Origin, PointsAreRoundedToNearestAndComeBack) {

@@ -102,7 +102,17 @@ static void values(void) {
   CHECK(relative[0] == 0.25F && relative[3] == (float)(world_box[3] - origin[0]));
   OK(shaftcull_relative(origin, SHAFTCULL_NEAREST, NULL, 0, NULL));
   REFUSED(shaftcull_relative(NULL, SHAFTCULL_NEAREST, world_box, 2, relative), "origin is NULL");
-  REFUSED(shaftcull_relative(origin, 4, world_box, 1, relative), "rounding = 4");
+  const double world_planes[14] = {4512345, 500000, 100, 4512347, 500002, 102, 1, 0, 0, 4512346.1, 0, -1, 0, -500001};
+  float planes_there[8] = {0, 0, 0, 0, 0, 0, 0, 0};
+  OK(shaftcull_relative(origin, SHAFTCULL_PLANES_AROUND, world_planes, 2, planes_there));
+  CHECK(planes_there[0] == 1 && planes_there[3] > 1.0999F && (double)planes_there[3] >= 4512346.1 - origin[0]);
+  CHECK(planes_there[5] == -1 && planes_there[7] == -1);
+  OK(shaftcull_relative(origin, SHAFTCULL_PLANES_AROUND, NULL, 0, NULL));
+  REFUSED(shaftcull_relative(origin, SHAFTCULL_PLANES_AROUND, NULL, 2, planes_there), "from is NULL");
+  const double steep[10] = {0, 0, 0, 1, 1, 1, 1e39, 0, 0, 0};
+  REFUSED(shaftcull_relative(origin, SHAFTCULL_PLANES_AROUND, steep, 1, planes_there), "plane 0 has a normal beyond");
+  CHECK(planes_there[0] == 1 && planes_there[5] == -1);
+  REFUSED(shaftcull_relative(origin, 5, world_box, 1, relative), "rounding = 5");
   REFUSED(shaftcull_relative(origin, SHAFTCULL_BOXES_AROUND, NULL, 1, relative), "from is NULL");
   REFUSED(shaftcull_relative(origin, SHAFTCULL_BOXES_AROUND, world_box, 1, NULL), "to is NULL");
   REFUSED(shaftcull_relative(origin, SHAFTCULL_BOXES_AROUND, world_box, UINT64_MAX, relative), "from");

@@ -1343,6 +1343,14 @@ class Origin:
         spheres: (n, 4) of centre and radius, or (4,) for one. TypeError or ValueError for other arrays. Other
             threads of Python continue.
         """
+    def planes(self, planes: npt.ArrayLike, box: npt.ArrayLike) -> npt.NDArray[np.float32]:
+        """Planes of float32 that keep all points of a box that the given planes keep: normal . p <= offset. Normals are
+        rounded to nearest, and offsets grow. float32 of the same shape.
+
+        planes: (n, 4) of normal and offset, or (4,) for one. box: (6,) of lo and hi, in the world. TypeError or
+            ValueError for other arrays, and for what is not finite or is beyond the largest float32. Other threads of
+            Python continue.
+        """
     def points(self, points: npt.ArrayLike) -> npt.NDArray[np.float32]:
         """The nearest float32 to each coordinate, for vertices of triangles, corners of patches and points of hulls.
         float32 of the same shape.

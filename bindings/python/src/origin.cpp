@@ -75,6 +75,14 @@ py::array_t<float> relative_spheres(const Origin& origin, const py::object& give
                                                [&](auto in, auto out) { origin.around(in, out); });
 }
 
+py::array_t<float> relative_planes(const Origin& origin, const py::object& given, const py::object& given_box) {
+  const Doubles planes = doubles_in(given, "planes", 4);
+  const Doubles box = doubles_in(given_box, "box", 6);
+  if (box.ndim() != 1 || box.size() != 6) refuse_shape("box", box, "(6,)");
+  const auto& world = *reinterpret_cast<const WorldBox*>(box.data());
+  return relative_records<WorldPlane, Plane>(planes, [&](auto in, auto out) { origin.around(in, world, out); });
+}
+
 py::array_t<float> relative_points(const Origin& origin, const py::object& given) {
   return relative_records<WorldVec3, Vec3>(doubles_in(given, "points", 3),
                                            [&](auto in, auto out) { origin.nearest(in, out); });
@@ -124,6 +132,13 @@ the same shape.
 
 spheres: (n, 4) of centre and radius, or (4,) for one. TypeError or ValueError for other arrays. Other
     threads of Python continue.)")
+      .def("planes", &relative_planes, arg("planes"), arg("box"), R"(
+Planes of float32 that keep all points of a box that the given planes keep: normal . p <= offset. Normals are
+rounded to nearest, and offsets grow. float32 of the same shape.
+
+planes: (n, 4) of normal and offset, or (4,) for one. box: (6,) of lo and hi, in the world. TypeError or
+    ValueError for other arrays, and for what is not finite or is beyond the largest float32. Other threads of
+    Python continue.)")
       .def("points", &relative_points, arg("points"), R"(
 The nearest float32 to each coordinate, for vertices of triangles, corners of patches and points of hulls.
 float32 of the same shape.

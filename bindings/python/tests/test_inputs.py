@@ -500,6 +500,16 @@ def test_an_origin_makes_bounds_that_contain_what_they_are_given():
     np.testing.assert_array_equal(points, (middle - at).astype(np.float32))
     np.testing.assert_allclose(origin.to_world(points), middle, atol=1e-4)
 
+    region = np.hstack([at - 1000, at + 1000])
+    planes = np.hstack([rng.uniform(-1, 1, (200, 3)), np.empty((200, 1))])
+    planes[:, 3] = (planes[:, :3] * middle).sum(axis=1)
+    for plane, given in zip(origin.planes(planes, region), planes):
+        for corner in np.ndindex(2, 2, 2):
+            point = [F(region[3 * corner[k] + k]) for k in range(3)]
+            is_kept = sum(F(given[k]) * point[k] for k in range(3)) <= F(given[3])
+            assert not is_kept or sum(F(float(plane[k])) * (point[k] - F(at[k])) for k in range(3)) <= F(float(plane[3]))
+    np.testing.assert_array_equal(origin.planes([1, 0, 0, at[0] + 0.5], region), [1, 0, 0, 0.5])
+
     near = sc.Origin.near(middle)
     assert np.abs(near.at - middle.mean(axis=0)).max() < 100 and (near.at % 8 == 0).all()
     one = origin.boxes(boxes[0])
@@ -515,6 +525,10 @@ def test_an_origin_makes_bounds_that_contain_what_they_are_given():
         (lambda: origin.boxes(middle), r"shape \(200, 3\); it must be \(n, 6\), or \(6,\) for one"),
         (lambda: origin.spheres(middle), r"\(n, 4\)"),
         (lambda: origin.points(boxes), r"\(n, 3\)"),
+        (lambda: origin.planes(middle, region), r"\(n, 4\)"),
+        (lambda: origin.planes(planes, boxes), r"box has shape \(200, 6\); it must be \(6,\)"),
+        (lambda: origin.planes([[1, 0, 0, 0], [1, 0, np.nan, 0]], region), "plane 1 is not finite"),
+        (lambda: origin.planes(planes, region[[3, 4, 5, 0, 1, 2]]), "lo <= hi"),
         (lambda: origin.to_world(boxes.astype(np.float32)), r"\(n, 3\)"),
         (lambda: sc.Origin.near(np.empty((0, 3))), "points is empty"),
         (lambda: sc.Origin.near([[0, 0, np.nan]]), "not finite"),

@@ -2,16 +2,26 @@
 // Large worlds: bounds in doubles, as floats relative to an origin.
 import {asDoubles, asFloats} from './arguments.js';
 
-const roundings = {boxesAround: 0, boxesWithin: 1, spheresAround: 2, nearest: 3};
+const roundings = {boxesAround: 0, boxesWithin: 1, spheresAround: 2, nearest: 3, planesAround: 4};
 
-/** The floats that a rounding makes of elements of `per` doubles. */
-function relative(module, at, rounding, values, per, name) {
+/** The floats that a rounding makes of elements of `per` doubles, behind the doubles of `before`. */
+function relative(module, at, rounding, values, per, name, before = []) {
   const doubles = asDoubles(values, per, name);
   return module.scratch((scratch) => {
-    const [origin, from, to] = [scratch.copy(at), scratch.copy(doubles), scratch.zeros(4 * doubles.length)];
+    const given = new Float64Array(before.length + doubles.length);
+    given.set(before);
+    given.set(doubles, before.length);
+    const [origin, from, to] = [scratch.copy(at), scratch.copy(given), scratch.zeros(4 * doubles.length)];
     module.call('shaftcull_relative', origin, roundings[rounding], from, BigInt(doubles.length / per), to);
     return module.floats(to, doubles.length);
   });
+}
+
+/** A number of doubles for one thing. */
+function asOne(values, numbers, name) {
+  const doubles = asDoubles(values, numbers, name);
+  if (doubles.length !== numbers) throw new TypeError(`${name} has ${doubles.length} numbers instead of ${numbers}`);
+  return doubles;
 }
 
 export class Origin {
@@ -20,8 +30,7 @@ export class Origin {
 
   constructor(module, at = [0, 0, 0]) {
     this.#module = module;
-    this.#at = asDoubles(at, 3, 'at').slice();
-    if (this.#at.length !== 3) throw new TypeError(`at has ${this.#at.length} numbers instead of 3`);
+    this.#at = asOne(at, 3, 'at').slice();
     this.nearest([]);  // refuses an origin that is not finite
   }
 
@@ -39,6 +48,10 @@ export class Origin {
 
   spheresAround(spheres) {
     return relative(this.#module, this.#at, 'spheresAround', spheres, 4, 'spheres');
+  }
+
+  planesAround(planes, box) {
+    return relative(this.#module, this.#at, 'planesAround', planes, 4, 'planes', asOne(box, 6, 'box'));
   }
 
   nearest(points) {

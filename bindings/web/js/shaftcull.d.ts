@@ -80,6 +80,11 @@ export interface Origin {
   boxesWithin(boxes: ArrayLike<number>): Float32Array;
   /** Spheres that contain spheres of 4 doubles: centres are rounded to nearest, and radii grow. */
   spheresAround(spheres: ArrayLike<number>): Float32Array;
+  /**
+   * Planes that keep all points of a box that planes of 4 doubles keep: normal·p ≤ offset. Normals are rounded to
+   * nearest, and offsets grow. The box has 6 doubles, in the world. Throws for what is not finite.
+   */
+  planesAround(planes: ArrayLike<number>, box: ArrayLike<number>): Float32Array;
   /** The nearest floats to points of 3 doubles: for vertices, and for corners of patches. */
   nearest(points: ArrayLike<number>): Float32Array;
   /** The positions of points of 3 floats in the world. */

@@ -1329,11 +1329,18 @@ test('an origin makes boxes and spheres that contain what they are given, and bo
   assert(radius >= 0.1 && radius < 0.1000001);
   assert.deepEqual([...there.nearest([4512345.1, 500000, 100])], [Math.fround(4512345.1 - 4512345), 0, 0]);
   assert.deepEqual([...there.toWorld([0.25, 1, 2])], [4512345.25, 500001, 102]);
+  const region = [4512345, 500000, 100, 4512445, 500100, 200];
+  const [, , , offset, ...level] = there.planesAround([1, 0, 0, 4512345.1, 0, -1, 0, -500001], region);
+  assert(offset >= 4512345.1 - 4512345 && offset < 0.1000001);
+  assert.deepEqual(level, [0, -1, 0, -1]);
   assert.deepEqual(there.boxesAround([]), new Float32Array());
+  assert.deepEqual(there.planesAround([], region), new Float32Array());
 
   assert(Number.isNaN(world.boxesAround([NaN, 0, 0, 0, 0, 0])[0]));
   assert.throws(() => shaftcull.boxStream(world.boxesAround([NaN, 0, 0, 0, 0, 0])), /not a number|NaN|lo/);
   assert.throws(() => world.boxesAround([1, 2, 3]), /boxes has 3 numbers, which is no multiple of 6/);
+  assert.throws(() => there.planesAround([1, 0, 0, 0], [1, 2, 3]), /box has 3 numbers/);
+  assert.throws(() => there.planesAround([1, 0, 0, 0, NaN, 0, 0, 0], region), /plane 1 is not finite/);
   assert.throws(() => world.nearest(['1', 2, 3]), /points\[0\] is no number/);
   assert.throws(() => shaftcull.origin([1, 2]), /at has 2 numbers/);
   assert.throws(() => shaftcull.origin([0, Infinity, 0]), /not finite/);
