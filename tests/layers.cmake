@@ -17,7 +17,7 @@ set(quick_tests
   architecture check_steps compilers dependencies documents "documents[.](figures|links|tuning)" fetches first_command headers "packages[.](licences|spdx)"
   symbols[.].* units)
 set(ci_tests
-  wide allocation.* calls[.]aarch64 dynamic_threads many_tree[.].* tree[.].* tree_building[.].* out_of_memory tree_memory visibility_memory
+  wide allocation.* calls[.]aarch64 dynamic_threads many_tree[.].* out_of_memory tree_memory visibility_memory
   "cli([.].*)?" "batch|batch[.](model|numpy|doubles|ranks|trees|sees_turned|factors)" budget[.].* docs "docs[.]links" "c([._].*)?" python[.].* "packages[.](conan|release|vcpkg)" hash.best
   "emulated[.][^.]*[.]isa"
   "embedding[.](neon|strict|no_build_type|refused|cross|package|recipe)")
