@@ -39,14 +39,11 @@ inline bool is_run_often() {
   return layer != nullptr && (std::string_view(layer) == "quick" || std::string_view(layer) == "ci");
 }
 
-/// As many as asked for, or a part of them: half in the layers quick and ci; a sixth under such a sanitizer and without
-/// optimisation, where each case takes several times as long; a twelfth under an emulator, where it takes 10 to 20
-/// times as long.
+/// As many as asked for; half as many in the layers quick and ci; and under such a sanitizer, an emulator or without
+/// optimisation a sixth, since each takes several times as long there.
 inline std::uint64_t random_cases(std::uint64_t cases) {
-  std::uint64_t divisor = is_run_often() ? 2 : 1;
-  if (has_shadow_memory || !is_optimised) divisor = 6;
-  if (is_emulated) divisor = 12;
-  return (cases + divisor - 1) / divisor;
+  if (has_shadow_memory || is_emulated || !is_optimised) return (cases + 5) / 6;
+  return is_run_often() ? (cases + 1) / 2 : cases;
 }
 
 }  // namespace shaftcull
