@@ -82,7 +82,8 @@ export interface Origin {
   spheresAround(spheres: ArrayLike<number>): Float32Array;
   /**
    * Planes that keep all points of a box that planes of 4 doubles keep: normal·p ≤ offset. Normals are rounded to
-   * nearest, and offsets grow. The box has 6 doubles, in the world. Throws for what is not finite.
+   * nearest, and offsets grow. The box has 6 doubles, in the world. Throws for what is not finite or is beyond the
+   * largest float.
    */
   planesAround(planes: ArrayLike<number>, box: ArrayLike<number>): Float32Array;
   /** The nearest floats to points of 3 doubles: for vertices, and for corners of patches. */
