@@ -250,7 +250,8 @@ enum {
 /// doubles. If no box of floats is within a box, the result is the empty box. Values that streams refuse stay as they
 /// are: NaN, lo > hi, and a radius below 0. Refuses an origin that is not finite, and a rounding that is not an
 /// enumerator; of planes also a plane or a box that is not finite, or is beyond the largest float. `from` and `to` must
-/// not overlap. O(count); no allocation.
+/// not overlap. Take an origin near the middle of the world, whose coordinates are multiples of a power of two of about
+/// 1/64 of the world's size: then round coordinates stay exact. O(count); no allocation.
 SHAFTCULL_API shaftcull_status shaftcull_relative(const double origin[3], shaftcull_rounding rounding,
                                                   const double* from, uint64_t count, float* to);
 

@@ -103,7 +103,11 @@ export interface Shaftcull {
    */
   instructionSet: string;
 
-  /** Makes an origin at a point of the world, by default [0, 0, 0]. Throws for a point that is not finite. */
+  /**
+   * Makes an origin at a point of the world, by default [0, 0, 0]. Take a point near the middle of the world, whose
+   * coordinates are multiples of a power of two of about 1/64 of the world's size: then round coordinates stay exact.
+   * Throws for a point that is not finite.
+   */
   origin(at?: ArrayLike<number>): Origin;
   /** The smallest box around points of 3 floats; the empty box, lo = +∞ and hi = −∞, if there are none. */
   boxAround(points: Floats): Float32Array;
