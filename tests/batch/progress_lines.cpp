@@ -13,7 +13,6 @@ namespace {
 using batch::progress_line;
 using batch::ProgressForm;
 using batch::ProgressLines;
-using batch::ProgressState;
 
 TEST(BatchProgress, TextTellsBlocksRateAndTimeLeft) {
   EXPECT_EQ(progress_line({"compute", 12, 100, 0, 500, 2}, ProgressForm::text),

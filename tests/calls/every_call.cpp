@@ -39,9 +39,10 @@ EveryCall::EveryCall(std::vector<CompiledShaft> shafts, std::size_t bounds) {
     table_.layers.push_back(1U << i % 5);
     if (i % 11 == 0) table_.mask[i / 64] |= std::uint64_t{1} << i % 64;
   }
+  const auto one_of_them = [bounds](std::size_t i) { return static_cast<std::uint32_t>(bounds == 0 ? 0 : i % bounds); };
   for (std::size_t s = 0; s != table_.shafts.size(); ++s) {
-    table_.of_each.push_back(static_cast<std::uint32_t>(s % bounds));
-    table_.of_each.push_back(static_cast<std::uint32_t>(7 * s % bounds));
+    table_.of_each.push_back(one_of_them(s));
+    table_.of_each.push_back(one_of_them(7 * s));
     if (!is_moving(s)) table_.between.push_back(table_.shafts[s]);
   }
   static const ConvexHull polygons = between_polygons(std::vector<Vec3>{{-5, -1, 0}, {-5, 1, 0.5F}, {-5, 0, 1e-39F}},

@@ -154,7 +154,7 @@ class HullAndTriangles {
     const Vector zero = L::all(0.0F);
     found.missed |= L::bits(L::less(nearest, zero));
     if (hull_.facets == 0) return;
-    for (unsigned v = 0; v < 3; ++v) found.met |= L::bits(L::less(zero, least[v]));
+    for (const Vector& depth_of_vertex : least) found.met |= L::bits(L::less(zero, depth_of_vertex));
   }
 
   /// Positive iff a point is strictly within the hull's box. The sign is exact.
