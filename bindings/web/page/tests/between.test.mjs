@@ -2,7 +2,7 @@
 // "What is in the way?": boxes, kinds of volumes, and what is shown.
 import assert from 'node:assert/strict';
 import {describe, test} from 'node:test';
-import {KINDS, PATIENCE, column, drop, nameOfScene, open, openDrawn, page, shot, state} from './opened_page.mjs';
+import {KINDS, PATIENCE, column, drop, nameOfScene, open, openDrawn, page, shot, state, toggle} from './opened_page.mjs';
 
 describe('boxes', () => {
   test('TheCityHas200000BoxesAndTheFirstShaftKeepsSome', async () => {
@@ -191,7 +191,7 @@ describe('kinds of volumes', () => {
 
   test('ABoxThatIsDraggedStopsMovingByItself', async () => {
     await open();
-    await page.check('#wander');
+    await toggle('#wander', true);
     const canvas = await page.locator('#canvas').boundingBox();
     for (let i = 0; i < 30 && await page.isChecked('#wander'); i++) {  // it may move away from under the mouse
       const {onCanvas} = await state();
@@ -205,7 +205,7 @@ describe('kinds of volumes', () => {
   test('OpenContactKeepsNoMoreThanClosed', async () => {
     await open();
     const closed = (await state()).counts;
-    await page.check('#open-contact');
+    await toggle('#open-contact', true);
     const {overlap, inside} = (await state()).counts;
     assert.ok(overlap + inside <= closed.overlap + closed.inside);
   });
@@ -226,7 +226,7 @@ describe('what is shown', () => {
       assert.notDeepEqual(now, before);
       before = now;
     }
-    await page.uncheck('#shaft-shown');
+    await toggle('#shaft-shown', false);
     assert.notDeepEqual(await pixels(), before);
     await shot('hidden');
   });
@@ -234,7 +234,7 @@ describe('what is shown', () => {
   test('PlanesStepAndCutUntilWhatTheShaftKeepsIsLeft', async () => {
     await open();
     const {counts: {overlap, inside}} = await state();
-    await page.check('#stepping');
+    await toggle('#stepping', true);
     await state();
     let cut = 0;
     while (await page.isEnabled('#step-on')) {
@@ -252,9 +252,9 @@ describe('what is shown', () => {
     await open();
     for (const kind of KINDS) {
       await page.selectOption('#kind', kind);
-      await page.check('#wander');
+      await toggle('#wander', true);
       await page.waitForTimeout(1000);
-      await page.uncheck('#wander');
+      await toggle('#wander', false);
       const {libraryMilliseconds} = await state();
       assert.ok(libraryMilliseconds >= 0);
       context.diagnostic(`${kind}: the library took ${libraryMilliseconds.toFixed(2)} ms a frame`);

@@ -72,6 +72,13 @@ export async function state() {
   });
 }
 
+/** Checks or unchecks a box by its key. A click may miss: results that arrive meanwhile change the layout of the panel. */
+export async function toggle(selector, checked) {
+  await page.focus(selector);
+  await page.keyboard.press('Space');
+  assert.equal(await page.isChecked(selector), checked, selector);
+}
+
 export async function shot(name) {
   if (!shots) return;
   if (await page.evaluate(() => Boolean(window.shaftcullPage))) await state();
