@@ -32,7 +32,9 @@ system() {
   for tool in "$@"; do
     case $tool in
       apt-get) stand_in apt-get 'exit ${APT_RESULT:-0}' ;;
-      dpkg-query) stand_in dpkg-query '[[ " ${INSTALLED:-} " == *" ${*: -1} "* ]] && echo "${ARCHITECTURES:-all:installed}"' ;;
+      dpkg-query) stand_in dpkg-query 'for package in ${INSTALLED:-}; do
+        for state in ${ARCHITECTURES:-all:installed}; do echo "${package%%:*}:$state"; done
+      done' ;;
       sudo) stand_in sudo 'exec "$@"' ;;
       *) stand_in "$tool" 'exit 0' ;;
     esac

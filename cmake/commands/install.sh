@@ -13,17 +13,18 @@ stop() {
   exit 1
 }
 
-# Whether a package is there, for this machine's own architecture unless it names another one.
+# installed PACKAGE STATES: whether a package is there, for this machine's own architecture unless it names another one. STATES are
+# lines package:architecture:state of all packages.
 installed() {
-  local own lines
-  own=$(dpkg-query -W -f='${Architecture}' dpkg 2>/dev/null || true)
-  lines=$(dpkg-query -W -f='${Architecture}:${db:Status-Status}\n' "$1" 2>/dev/null || true)
-  [[ $'\n'$lines$'\n' == *$'\n'@(all|"$own"|"${1#*:}"):installed$'\n'* ]]
+  local architecture=${1#*:}
+  if [[ $1 != *:* ]]; then architecture=$([[ $2 =~ $'\n'dpkg:([a-z0-9]+):installed$'\n' ]] && echo "${BASH_REMATCH[1]}" || true); fi
+  [[ $2 == *$'\n'"${1%%:*}":@(all|"$architecture"):installed$'\n'* ]]
 }
 
 # missing PACKAGE[:COMMAND | :ARCHITECTURE]… prints those that are not there, each once.
 missing() {
-  local package command
+  local package command states
+  states=$'\n'$(dpkg-query -W -f='${Package}:${Architecture}:${db:Status-Status}\n' 2>/dev/null || true)$'\n'
   for package in "$@"; do
     command=
     if [[ $package == *:* && ${package#*:} != "$foreign_architecture" ]]; then
@@ -32,7 +33,7 @@ missing() {
     fi
     if [[ $command ]] && command -v "$command" >/dev/null; then continue; fi
     if command -v apt-get >/dev/null; then
-      installed "$package" || echo "$package"
+      installed "$package" "$states" || echo "$package"
     elif [[ $command ]]; then
       echo "$command"
     fi
