@@ -242,8 +242,8 @@ enum {
   SHAFTCULL_BOXES_WITHIN = 1,   /* of 6 doubles: the largest boxes inside, for boxes that hide or contain others */
   SHAFTCULL_SPHERES_AROUND = 2, /* of 4 doubles, centre and radius: spheres that contain the true ones */
   SHAFTCULL_NEAREST = 3,        /* of 3 doubles: the nearest floats, for points, vertices and corners */
-  SHAFTCULL_PLANES_AROUND = 4   /* of 4 doubles, normal and offset, behind the 6 doubles of one box: planes that keep
-                                   all points of the box that the true ones keep */
+  SHAFTCULL_PLANES_AROUND = 4   /* `from` begins with lo and hi of one box. Then follow 4 doubles per plane, normal and
+                                   offset. The planes keep all points of the box that the true ones keep */
 };
 
 /// Converts `count` boxes, spheres, points or planes of a world in doubles to floats relative to an origin of 3

@@ -90,10 +90,12 @@ class Origin {
   /// the spans have different sizes. O(n), on the calling thread.
   SHAFTCULL_EXPORT void around(std::span<const WorldBox> boxes, std::span<Box> to) const;
   SHAFTCULL_EXPORT void around(std::span<const WorldSphere> spheres, std::span<Sphere> to) const;  ///< the same
-  /// The same. Throws InvalidArgument, and writes nothing, for what the call for one plane refuses, too.
+  SHAFTCULL_EXPORT void within(std::span<const WorldBox> boxes, std::span<Box> to) const;          ///< the same
+  SHAFTCULL_EXPORT void nearest(std::span<const WorldVec3> points, std::span<Vec3> to) const;      ///< the same
+
+  /// The same for many planes and one box. Also throws InvalidArgument, and writes nothing, for a plane that the call
+  /// for one plane refuses; the message has its position.
   SHAFTCULL_EXPORT void around(std::span<const WorldPlane> planes, const WorldBox& box, std::span<Plane> to) const;
-  SHAFTCULL_EXPORT void within(std::span<const WorldBox> boxes, std::span<Box> to) const;      ///< the same
-  SHAFTCULL_EXPORT void nearest(std::span<const WorldVec3> points, std::span<Vec3> to) const;  ///< the same
 
   friend bool operator==(const Origin&, const Origin&) = default;
 
