@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -14,43 +15,104 @@
 
 namespace shaftcull::kernel {
 
-/// Boxes around blocks, and around each 64 of them.
+/// Boxes around blocks.
 class BlockBoxes {
  public:
-  /// Of the blocks of a state, to find the best one for a bound.
+  /// Of the blocks of a state, whose nodes it refers to.
   template <class Bound>
-  explicit BlockBoxes(const DynamicState<Bound>& state) : BlockBoxes(state.blocks.size()) {
+  explicit BlockBoxes(const DynamicState<Bound>& state) {
     if (state.parts.levels > 2) {
-      const BoxView nodes = state.parts.node_words(2, 0, words_);
-      for (std::size_t f = 0; f != 6; ++f) std::copy_n(nodes.stream[f], size_, box_[f]);
+      const BoxView nodes = state.parts.node_words(2, 0, bit_words(state.blocks.size()));
+      for (std::size_t f = 0; f != 6; ++f) box_[f] = nodes.stream[f];
     } else {
-      for (std::size_t b = 0; b != size_; ++b) grow_around(b, *state.blocks[b]);
+      fit(state.blocks);
+    }
+    size_ = state.blocks.size();
+  }
+  template <class Bound>
+  explicit BlockBoxes(const Blocks<Bound>& blocks) : size_(blocks.size()) {
+    fit(blocks);
+  }
+  BlockBoxes(const BlockBoxes&) = delete;
+  BlockBoxes& operator=(const BlockBoxes&) = delete;
+
+  [[nodiscard]] bool has(std::size_t block, const float (&corner)[6]) const noexcept {
+    return box_holds(box_.data(), block, corner);
+  }
+  [[nodiscard]] NodeCorners corners(std::size_t block) const noexcept { return corners_at(box_.data(), block); }
+  /// How much of block a is in block b, too: 0 to 1, by lengths.
+  [[nodiscard]] float share_of(std::size_t a, std::size_t b) const noexcept {
+    float share = 1;
+    for (std::size_t k = 0; k != 3; ++k) {
+      const float width = box_[k + 3][a] - box_[k][a];
+      const float common = lesser(box_[k + 3][a], box_[k + 3][b]) - greater(box_[k][a], box_[k][b]);
+      if (!(common >= 0)) return 0;
+      if (width > 0) share *= common / width;
+    }
+    return share <= 1 ? share : 0;  // not of infinite ones
+  }
+  /// How large a box around two blocks is.
+  [[nodiscard]] float measure_of_both(std::size_t a, std::size_t b) const noexcept {
+    return measure_with(box_.data(), a, corners(b).corner);
+  }
+  /// Whole words.
+  [[nodiscard]] BoxView view() const noexcept {
+    return {{box_[0], box_[1], box_[2], box_[3], box_[4], box_[5]}, size_};
+  }
+
+ private:
+  template <class Bound>
+  void fit(const Blocks<Bound>& blocks) {
+    const std::size_t stride = bit_words(blocks.size()) * fanout;
+    memory_.resize(6 * stride);
+    float* box[6];
+    for (std::size_t f = 0; f != 6; ++f) {
+      box[f] = memory_.data() + f * stride;
+      box_[f] = box[f];
+      std::fill_n(box[f], stride, padding_box[f]);
+    }
+    for (std::size_t b = 0; b != blocks.size(); ++b) {
+      const float* node[6];
+      for (std::size_t f = 0; f != 6; ++f) node[f] = blocks[b]->node[f];
+      for (std::size_t w = 0; w != block_words; ++w) grow_box(box, b, corners_at(node, w).corner);
+    }
+  }
+
+  std::size_t size_ = 0;
+  std::vector<float> memory_;
+  std::array<const float*, 6> box_{};
+};
+
+/// Finds the block that a bound suits best.
+class BestBlock {
+ public:
+  /// Refers to the boxes of the state's blocks.
+  template <class Bound>
+  BestBlock(const DynamicState<Bound>& state, const BlockBoxes& boxes)
+      : boxes_(boxes), words_(bit_words(state.blocks.size())), memory_(6 * bit_words(words_) * fanout) {
+    const std::size_t stride = bit_words(words_) * fanout;
+    for (std::size_t f = 0; f != 6; ++f) {
+      around_[f] = memory_.data() + f * stride;
+      std::fill_n(around_[f], stride, padding_box[f]);
     }
     for (unsigned large = 0; large != 2; ++large) {
       bias_[large].assign(words_ * fanout, ruled_out);
       has_any_[large].assign(words_, false);
     }
-    for (std::size_t b = 0; b != size_; ++b) {
+    for (std::size_t b = 0; b != state.blocks.size(); ++b) {
       const bool is_large = state.size_of[b].is_large;
       bias_[is_large][b] = 0;
       has_any_[is_large][b / fanout] = true;
       if (is_large) continue;
-      grow_box(around_, b / fanout, corners_at(box_, b).corner);
+      grow_box(around_, b / fanout, boxes.corners(b).corner);
     }
   }
-  template <class Bound>
-  explicit BlockBoxes(const Blocks<Bound>& blocks) : BlockBoxes(blocks.size()) {
-    for (std::size_t b = 0; b != size_; ++b) grow_around(b, *blocks[b]);
-  }
 
-  [[nodiscard]] bool has(std::size_t block, const float (&corner)[6]) const noexcept {
-    return box_holds(box_, block, corner);
-  }
   /// The block that a bound suits best, if there is any for it: of those for large bounds or of the others. Of these,
   /// one in a group that holds it, and otherwise of the group that it suits best. One group would not do: blocks at its
   /// rim would grow into the next, and with them the group.
-  [[nodiscard]] std::optional<std::size_t> best_for(const float (&corner)[6], bool is_large,
-                                                    const Kernels& kernels) const noexcept {
+  [[nodiscard]] std::optional<std::size_t> find(const float (&corner)[6], bool is_large,
+                                                const Kernels& kernels) const noexcept {
     std::optional<BestOfNodes> best;
     for (std::size_t group = 0; group != words_; ++group) {
       if (!has_any_[is_large][group]) continue;
@@ -68,44 +130,9 @@ class BlockBoxes {
     if (!best) return {};
     return best->node;
   }
-  /// How much of block a is in block b, too: 0 to 1, by lengths.
-  [[nodiscard]] float share_of(std::size_t a, std::size_t b) const noexcept {
-    float share = 1;
-    for (std::size_t k = 0; k != 3; ++k) {
-      const float width = box_[k + 3][a] - box_[k][a];
-      const float common = lesser(box_[k + 3][a], box_[k + 3][b]) - greater(box_[k][a], box_[k][b]);
-      if (!(common >= 0)) return 0;
-      if (width > 0) share *= common / width;
-    }
-    return share <= 1 ? share : 0;  // not of infinite ones
-  }
-  /// How large a box around two blocks is.
-  [[nodiscard]] float measure_of_both(std::size_t a, std::size_t b) const noexcept {
-    return measure_with(box_, a, corners_at(box_, b).corner);
-  }
-  [[nodiscard]] BoxView view() const noexcept {
-    return {{box_[0], box_[1], box_[2], box_[3], box_[4], box_[5]}, size_};
-  }
 
  private:
   static constexpr std::size_t few_words = 2;  ///< up to so many words, all blocks are compared
-
-  explicit BlockBoxes(std::size_t blocks)
-      : size_(blocks), words_(bit_words(blocks)), memory_(6 * (words_ * 64 + bit_words(words_) * 64)) {
-    float* next = memory_.data();
-    for (std::size_t f = 0; f != 6; ++f) {
-      box_[f] = std::exchange(next, next + words_ * 64);
-      around_[f] = std::exchange(next, next + bit_words(words_) * 64);
-      std::fill_n(box_[f], words_ * 64, padding_box[f]);
-      std::fill_n(around_[f], bit_words(words_) * 64, padding_box[f]);
-    }
-  }
-  template <class Bound>
-  void grow_around(std::size_t b, const LeafBlock<Bound>& block) noexcept {
-    const float* node[6];
-    for (std::size_t f = 0; f != 6; ++f) node[f] = block.node[f];
-    for (std::size_t w = 0; w != block_words; ++w) grow_box(box_, b, corners_at(node, w).corner);
-  }
 
   static void keep_better(std::optional<BestOfNodes>& best, const BestOfNodes& other) noexcept {
     if (!best || other.cost < best->cost) best = other;
@@ -113,8 +140,9 @@ class BlockBoxes {
   [[nodiscard]] BestOfNodes best_in(std::size_t group, const float (&corner)[6], bool is_large,
                                     const Kernels& kernels) const noexcept {
     const std::size_t first = group * fanout;
-    const float* const row[6] = {box_[0] + first, box_[1] + first, box_[2] + first,
-                                 box_[3] + first, box_[4] + first, box_[5] + first};
+    const BoxView nodes = boxes_.view();
+    const float* row[6];
+    for (std::size_t f = 0; f != 6; ++f) row[f] = nodes.stream[f] + first;
     float bias[fanout];
     std::copy_n(bias_[is_large].data() + first, fanout, bias);
     BestOfNodes best = best_node_for(row, corner, bias, kernels);
@@ -122,13 +150,12 @@ class BlockBoxes {
     return best;
   }
 
-  std::size_t size_;
+  const BlockBoxes& boxes_;
   std::size_t words_;
   std::vector<float> memory_;
   std::vector<float> bias_[2];    ///< of blocks for bounds that are not large, and for large ones
-  std::vector<bool> has_any_[2];  ///< whether a group has such a block
-  float* box_[6];
-  float* around_[6];
+  std::vector<bool> has_any_[2];  ///< whether a group of 64 blocks has such a block
+  float* around_[6];              ///< boxes around each 64 blocks
 };
 
 }  // namespace shaftcull::kernel

@@ -43,7 +43,6 @@ class BlockChanges {
   BlockChanges(LeafBlock<Bound>& block, const PlaceWriter& places, const Kernels& kernels) noexcept
       : block_(block), places_(places), kernels_(kernels) {
     for (std::size_t f = 0; f != 6; ++f) node_[f] = block.node[f];
-    for (std::size_t w = 0; w != block_words; ++w) note(w);
   }
 
   /// A bound that is erased, or goes to another block.
@@ -63,6 +62,7 @@ class BlockChanges {
     ++block_.changed;
     const std::size_t word = leaf / fanout;
     if (!box_holds(node_, word, corner) && has_grown_much_with(word, corner)) {
+      look_at_words();
       has_space_[word] = 0;  // it has the leaf that the bound has now
       const std::size_t best = best_node_for(node_, corner, has_space_, kernels_).node;
       note(word);
@@ -83,6 +83,7 @@ class BlockChanges {
     corners_of(change.bound, corner);
     ++block_.count;
     ++block_.changed;
+    look_at_words();
     if (used_ == 0) return put(0, corner, change);
     // The best word may be full. Then some of its bounds go elsewhere first.
     std::size_t word = best_node_for(node_, corner, is_used_, kernels_).node;
@@ -93,16 +94,26 @@ class BlockChanges {
     put(word, corner, change);
   }
 
-  /// Fits the nodes of all words that were touched.
-  void finish() noexcept { block_.fit(std::popcount(dirty_) > many_dirty ? ~std::uint64_t{0} : dirty_, kernels_); }
+  /// Fits the nodes of all words that were touched. Returns the words whose nodes were fitted, as bits.
+  std::uint64_t finish() noexcept {
+    const std::uint64_t fitted = std::popcount(dirty_) > many_dirty ? ~std::uint64_t{0} : dirty_;
+    block_.fit(fitted, kernels_);
+    return fitted;
+  }
 
  private:
   static constexpr int many_dirty = 56;
 
   static constexpr std::uint64_t bit(std::size_t word) noexcept { return std::uint64_t{1} << word; }
   void mark(std::size_t word) noexcept { dirty_ |= bit(word); }
-  /// Notes whether a word is used, and whether it has a free leaf.
+  /// Notes which words are used, and which have a free leaf: from the first bound on that looks for a word.
+  void look_at_words() noexcept {
+    if (knows_words_) return;
+    knows_words_ = true;
+    for (std::size_t w = 0; w != block_words; ++w) note(w);
+  }
   void note(std::size_t word) noexcept {
+    if (!knows_words_) return;
     const std::uint64_t taken = block_.taken[word];
     used_ = taken != 0 ? used_ | bit(word) : used_ & ~bit(word);
     is_used_[word] = taken != 0 ? 0 : ruled_out;
@@ -207,6 +218,7 @@ class BlockChanges {
   PlaceWriter places_;
   const Kernels& kernels_;
   float* node_[6];
+  bool knows_words_ = false;
   float is_used_[block_words];    ///< 0 for words that are used, as best_node_for() has it
   float has_space_[block_words];  ///< 0 for those that have a free leaf, too
   std::uint64_t used_ = 0;

@@ -8,15 +8,13 @@
 
 #include "dispatch/active_kernels.hpp"
 #include "dynamic/block_boxes.hpp"
-#include "dynamic/block_changes.hpp"
+#include "dynamic/block_writer.hpp"
+#include "dynamic/change_in_place.hpp"
 #include "dynamic/commit_plan.hpp"
 #include "dynamic/members.hpp"
 #include "dynamic/nodes_of_blocks.hpp"
 #include "dynamic/sort_blocks.hpp"
 #include "parallel/parallel.hpp"
-#include "support/exact_floats.hpp"
-#include "support/index_range.hpp"
-#include "support/prefetch.hpp"
 #include "tree/build.hpp"
 #include "tree/entries.hpp"
 #include "tree/source.hpp"
@@ -30,19 +28,23 @@ class Commit {
   Commit(const Shared<StateOf<Bound>>& old, const Changes<Bound>& changes, bool layers, bool everything, Upkeep& upkeep)
       : old_(old),
         in_place_(old.is_only()),
-        changes_(changes.all),
-        slots_(changes.slots),
-        index_end_(changes.slots.size()),
+        changes_(changes),
         layers_(layers),
         everything_(everything),
         upkeep_(upkeep),
         spent_(begun(upkeep)),
         kernels_(active_kernels()),
-        plan_(*old, changes.all, spent_, kernels_) {}
+        plan_(*old, changes.all, spent_, kernels_),
+        writer_(plan_, changes_, kernels_) {}
 
   Shared<StateOf<Bound>> run() {
     if (everything_ || plan_.is_worth_sorting_all()) return sort_all();
     plan_.complete();
+    if (!adds_layers() && ChangeInPlace<Bound>::is_enough(old_, plan_)) {
+      ChangeInPlace<Bound>(*old_, plan_, changes_, kernels_).run();
+      upkeep_ = spent_;
+      return old_;
+    }
     sort_groups();
     plan_table();
     Shared<StateOf<Bound>> next = prepare();
@@ -54,9 +56,6 @@ class Commit {
 
  private:
   static constexpr std::uint32_t nowhere = ~std::uint32_t{0};
-
-  /// Fewer steps are made by one thread.
-  static constexpr std::size_t few_steps = 1024;
 
   /// A block of the next state.
   struct Place {
@@ -81,9 +80,9 @@ class Commit {
     }
     for (std::size_t b = 0; b != blocks(); ++b) add_stayers(members, b, gone.data() + b * block_words);
     for (const BlockStep& step : plan_.steps()) {
-      if (step.kind == BlockStep::move) add(members, changes_[step.change]);
+      if (step.kind == BlockStep::move) add(members, changes_.all[step.change]);
     }
-    for (const std::uint32_t c : plan_.arrivals()) add(members, changes_[c]);
+    for (const std::uint32_t c : plan_.arrivals()) add(members, changes_.all[c]);
     Blocks<Bound> sorted;
     if (members.count() != 0) {
       node_size_ = size_of_nodes(members, members.count());
@@ -109,9 +108,8 @@ class Commit {
 
   [[nodiscard]] bool has_layers() const noexcept { return layers_ || old().has_layers; }
   [[nodiscard]] bool adds_layers() const noexcept { return has_layers() && !old().has_layers; }
-  [[nodiscard]] std::size_t pages() const noexcept {
-    return (index_end_ + LeafBlocks::page_size - 1) / LeafBlocks::page_size;
-  }
+  [[nodiscard]] std::size_t index_end() const noexcept { return changes_.slots.size(); }
+  [[nodiscard]] std::size_t pages() const noexcept { return LeafBlocks::pages_for(index_end()); }
 
   static void add(Members<Bound>& members, const Change<Bound>& change) noexcept {
     members.add(change.bound, change.index, change.layers);
@@ -121,56 +119,12 @@ class Commit {
     std::uint64_t stay[block_words];
     for (std::size_t w = 0; w != block_words; ++w) stay[w] = from.taken[w] & ~gone[w];
     if (!plan_.walks_blocks()) return members.add(from, stay);
-    for_each_changed(from, stay, [&](std::size_t leaf, const Change<Bound>& change) {
+    writer_.for_each_changed(from, stay, [&](std::size_t leaf, const Change<Bound>& change) {
       add(members, change);
       stay[leaf / fanout] &= ~(std::uint64_t{1} << leaf % fanout);
     });
     members.add(from, stay);
   }
-  /// Calls use(leaf, change) for those of these leaves whose bounds have changes. Both are all over memory: slots are
-  /// prefetched two words ahead, and changes one.
-  template <class Use>
-  void for_each_changed(const LeafBlock<Bound>& block, const std::uint64_t (&leaves)[block_words],
-                        Use&& use) const noexcept {
-    struct Word {
-      std::uint64_t leaves;
-      std::uint32_t change[fanout];
-    };
-    Word ahead[2];
-    const std::uint32_t* const order = block.order();
-    const auto prefetch_slots = [&](std::size_t w) {
-      if (w >= block_words) return;
-      for (std::uint64_t left = leaves[w]; left != 0; left &= left - 1) {
-        prefetch_to_second_level(&slots_[order[w * fanout + static_cast<std::size_t>(std::countr_zero(left))]], 1);
-      }
-    };
-    const auto look_up = [&](std::size_t w) {
-      if (w >= block_words) return;
-      Word& word = ahead[w % 2];
-      word.leaves = 0;
-      for (std::uint64_t left = leaves[w]; left != 0; left &= left - 1) {
-        const auto i = static_cast<std::size_t>(std::countr_zero(left));
-        const std::uint32_t change = slots_[order[w * fanout + i]].change;
-        if (change == 0) continue;
-        word.leaves |= left & -left;
-        word.change[i] = change - 1;
-        prefetch_change(change - 1);
-      }
-    };
-    prefetch_slots(0);
-    prefetch_slots(1);
-    look_up(0);
-    for (std::size_t w = 0; w != block_words; ++w) {
-      prefetch_slots(w + 2);
-      look_up(w + 1);
-      const Word& word = ahead[w % 2];
-      for (std::uint64_t left = word.leaves; left != 0; left &= left - 1) {
-        const auto i = static_cast<std::size_t>(std::countr_zero(left));
-        use(w * fanout + i, changes_[word.change[i]]);
-      }
-    }
-  }
-
   [[nodiscard]] BlockSorting sorting() const noexcept {
     return {.node_size = node_size_, .has_layers = has_layers(), .keeps_large_apart = plan_.count() > sorted_in_block};
   }
@@ -190,10 +144,10 @@ class Commit {
         }
         add_stayers(members, b, gone);
         for (const BlockStep& step : plan_.steps_of(b)) {
-          if (step.kind != BlockStep::erase) add(members, changes_[step.change]);
+          if (step.kind != BlockStep::erase) add(members, changes_.all[step.change]);
         }
       }
-      for (const std::uint32_t c : group.arrivals) add(members, changes_[c]);
+      for (const std::uint32_t c : group.arrivals) add(members, changes_.all[c]);
       sorted_[g] = sorted_blocks(members, sorting(), kernels_);
       for (const Shared<LeafBlock<Bound>>& block : sorted_[g]) block->is_apart = group.are_apart;
     });
@@ -285,7 +239,6 @@ class Commit {
   /// Gets the memory of the next state. After that, nothing throws.
   Shared<StateOf<Bound>> prepare() {
     Shared<StateOf<Bound>> next = in_place_ ? old_ : Shared<StateOf<Bound>>(new StateOf<Bound>);
-    is_same_table_ = in_place_ && plan_.groups().empty() && !adds_layers() && !old().tables.row.empty();
     if (pages_.empty()) {
       pages_.reserve(pages());
       for (std::size_t i = 0; i != pages(); ++i) {
@@ -301,10 +254,7 @@ class Commit {
     is_written_.assign(table_.size(), 0);
     if (!in_place_) copy_shared_pages();
     places_.resize(pages());
-    page_.resize(pages());
-    for (std::size_t i = 0; i != pages(); ++i) places_[i] = page_[i] = pages_[i]->place;
-    if (is_same_table_) return next;
-
+    for (std::size_t i = 0; i != pages(); ++i) places_[i] = pages_[i]->place;
     const std::size_t nodes = lay_out_levels(levels_, table_.size() * block_leaves);
     levels_.nodes = BoxStream(nodes);
     levels_.gaps = {nodes / 64, ~std::uint64_t{0}};
@@ -323,7 +273,7 @@ class Commit {
     std::vector<bool> changes(pages());
     bool any_splits = !plan_.groups().empty() || plan_.walks_blocks();
     for (const BlockStep& step : plan_.steps()) {
-      changes[changes_[step.change].index / LeafBlocks::page_size] = true;
+      changes[changes_.all[step.change].index / LeafBlocks::page_size] = true;
       any_splits = any_splits || step.kind == BlockStep::insert;
     }
     for (std::size_t i = 0; i != pages(); ++i) {
@@ -336,74 +286,27 @@ class Commit {
     return table_[p].block ? *table_[p].block : *old().blocks[table_[p].from];
   }
 
-  /// Makes the changes of all blocks that stay.
+  /// Writes the places of new blocks, and makes the changes of all others.
   void write_blocks() noexcept {
     for (const SortedGroup& group : plan_.groups()) {
       for (const std::uint32_t b : group.blocks) clear_places(plan_.steps_of(b));
     }
-    const auto write = [&](std::size_t p, std::size_t) {
-      if (is_written_[p] != 0) return;
-      write_block(p);
-      is_written_[p] = 1;
-    };
-    if (plan_.steps().size() < few_steps && plan_.groups().empty() && table_.size() == blocks()) {
-      for (std::size_t p = 0; p != table_.size(); ++p) write(p, 0);
-      return;
-    }
-#if defined(__cpp_exceptions)
-    try {
-      parallel_for(table_.size(), 1, write);
-    } catch (...) {  // oneTBB could not start its tasks: this thread does what they have left
-      for (std::size_t p = 0; p != table_.size(); ++p) write(p, 0);
-    }
-#else
-    parallel_for(table_.size(), 1, write);
-#endif
-  }
-  void write_block(std::size_t p) noexcept {
-    const PlaceWriter places(page_.data(), table_[p].number);
-    if (table_[p].is_new()) return write_places(*table_[p].block, places);
-    if (!plan_.is_changed(table_[p].from)) return;
-    const std::span<const BlockStep> steps = plan_.steps_of(table_[p].from);
-    LeafBlock<Bound>& leaves = block_at(p);
-    BlockChanges<Bound> block(leaves, places, kernels_);
-    for (const BlockStep& step : steps) {
-      if (step.kind == BlockStep::erase) block.erase(step.leaf, changes_[step.change]);
-    }
-    if (plan_.walks_blocks()) {
-      std::uint64_t taken[block_words];
-      std::copy_n(leaves.taken, block_words, taken);
-      for_each_changed(leaves, taken, [&](std::size_t leaf, const Change<Bound>& change) {
-        // One that was here may have gone to another word, and one that comes may be in its place.
-        if (leaves.order()[leaf] == change.index) block.move(leaf, change);
-      });
-    } else {
-      for (std::size_t i = 0; i != steps.size(); ++i) {
-        prefetch_change(steps, i);
-        if (steps[i].kind == BlockStep::move) block.move(steps[i].leaf, changes_[steps[i].change]);
+    const bool in_tasks = plan_.steps().size() >= few_steps || !plan_.groups().empty() || plan_.walks_blocks();
+    write_each(table_.size(), in_tasks, is_written_, [this](std::size_t p) {
+      const PlaceWriter places(places_.data(), table_[p].number);
+      if (table_[p].is_new()) {
+        write_places(*table_[p].block, places);
+      } else if (plan_.is_changed(table_[p].from)) {
+        writer_.write(block_at(p), table_[p].from, places);
       }
-    }
-    for (const BlockStep& step : steps) {
-      if (step.kind == BlockStep::insert) block.insert(changes_[step.change]);
-    }
-    block.finish();
+    });
   }
-
   /// Of bounds that are erased.
   void clear_places(std::span<const BlockStep> steps) const noexcept {
     for (const BlockStep& step : steps) {
-      const Change<Bound>& change = changes_[step.change];
-      if (change.has_bound == 0) PlaceWriter(page_.data(), 0).clear(change.index);
+      const Change<Bound>& change = changes_.all[step.change];
+      if (change.has_bound == 0) PlaceWriter(places_.data(), 0).clear(change.index);
     }
-  }
-  /// Changes of a block are all over memory.
-  SHAFTCULL_ALWAYS_INLINE void prefetch_change(std::span<const BlockStep> steps, std::size_t i) const noexcept {
-    constexpr std::size_t prefetched = 16;
-    if (i + prefetched < steps.size()) prefetch_change(steps[i + prefetched].change);
-  }
-  SHAFTCULL_ALWAYS_INLINE void prefetch_change(std::uint32_t number) const noexcept {
-    const Change<Bound>& soon = changes_[number];
-    prefetch_to_second_level(&soon, 1);
   }
   static void write_places(const LeafBlock<Bound>& block, const PlaceWriter& places) noexcept {
     for (std::size_t w = 0; w != block_words; ++w) {
@@ -418,40 +321,28 @@ class Commit {
   void finish(DynamicState<Bound>& next) noexcept {
     std::swap(next.pages, pages_);
     std::swap(next.place, places_);
-    next.index_end = index_end_;
+    next.owns_pages = in_place_;
+    next.index_end = index_end();
     next.count = plan_.count();
     next.node_size = node_size_;
     next.node_size_count = node_size_count_;
     next.has_layers = has_layers();
-    if (is_same_table_) {
-      for (std::size_t p = 0; p != table_.size(); ++p) {
-        if (table_[p].block) {
-          next.blocks[p] = std::move(table_[p].block);
-          next.tables.set(p, *next.blocks[p]);
-        }
-        if (!plan_.is_changed(table_[p].from)) continue;
-        next.size_of[p] = size_of(*next.blocks[p]);
-        copy_nodes(next.parts, p, *next.blocks[p]);
-        if (next.parts.levels > 2) fit_node_word(next.parts, kernels_, 2, p);
-      }
-    } else {
-      for (std::size_t p = 0; p != table_.size(); ++p) {
-        blocks_.push_back(table_[p].block ? table_[p].block : old().blocks[table_[p].from]);
-        number_of_.push_back(table_[p].number);
-        size_of_.push_back(size_of(*blocks_[p]));
-        position_of_[table_[p].number] = static_cast<std::uint32_t>(p);
-        tables_.set(p, *blocks_[p]);
-        copy_nodes(levels_, p, *blocks_[p]);
-      }
-      position_of_[number_of_nothing] = static_cast<std::uint32_t>(table_.size());
-      tables_.set_nothing(table_.size());
-      std::swap(next.blocks, blocks_);
-      std::swap(next.number_of, number_of_);
-      std::swap(next.size_of, size_of_);
-      std::swap(next.tables, tables_);
-      std::swap(next.position_of, position_of_);
-      static_cast<TreeLevels<Bound>&>(next.parts) = std::move(levels_);
+    for (std::size_t p = 0; p != table_.size(); ++p) {
+      blocks_.push_back(table_[p].block ? table_[p].block : old().blocks[table_[p].from]);
+      number_of_.push_back(table_[p].number);
+      size_of_.push_back(size_of(*blocks_[p]));
+      position_of_[table_[p].number] = static_cast<std::uint32_t>(p);
+      tables_.set(p, *blocks_[p]);
+      copy_nodes(levels_, p, *blocks_[p]);
     }
+    position_of_[number_of_nothing] = static_cast<std::uint32_t>(table_.size());
+    tables_.set_nothing(table_.size());
+    std::swap(next.blocks, blocks_);
+    std::swap(next.number_of, number_of_);
+    std::swap(next.size_of, size_of_);
+    std::swap(next.tables, tables_);
+    std::swap(next.position_of, position_of_);
+    static_cast<TreeLevels<Bound>&>(next.parts) = std::move(levels_);
     next.parts.blocks = {next.tables.row.data(),   next.tables.taken.data(),
                          next.tables.order.data(), next.has_layers ? next.tables.layers.data() : nullptr,
                          next.place.data(),        next.position_of.data()};
@@ -459,30 +350,13 @@ class Commit {
     next.parts.layers.is_any_in_none = true;
     next.parts.layers.of_any = next.has_layers ? 0 : ~std::uint32_t{0};
     next.parts.layers.of_all = next.has_layers ? 0 : ~std::uint32_t{0};
-    fit_above_blocks(next.parts);
+    fit_upper(next.parts, kernels_);
     if (next.has_layers) fit_upper_layers(next.parts);
   }
 
-  [[nodiscard]] static BlockSize size_of(const LeafBlock<Bound>& block) noexcept {
-    return {static_cast<std::uint32_t>(block.count),
-            static_cast<std::uint32_t>(block.count_when_sorted),
-            static_cast<float>(block.growth()),
-            static_cast<std::uint32_t>(block.changed),
-            block.is_large,
-            block.is_apart};
-  }
-  /// Fits nodes of blocks, unless only those of blocks that were written to have changed, and those above.
-  void fit_above_blocks(TreeLevels<Bound>& parts) const noexcept {
-    if (!is_same_table_) return fit_upper(parts, kernels_);
-    for (std::size_t k = 3; k < parts.levels; ++k) {
-      for (std::size_t i = 0; i != parts.level[k].entries; ++i) fit_node_word(parts, kernels_, k, i);
-    }
-  }
   const Shared<StateOf<Bound>>& old_;
   bool in_place_;
-  std::span<const Change<Bound>> changes_;
-  std::span<const Slot> slots_;
-  std::size_t index_end_;
+  const Changes<Bound>& changes_;
   bool layers_;
   bool everything_;
   Upkeep& upkeep_;
@@ -490,13 +364,13 @@ class Commit {
   const Kernels& kernels_;
 
   CommitPlan<Bound> plan_;
+  BlockWriter<Bound> writer_;
   std::vector<Blocks<Bound>> sorted_;  ///< of each group
   float node_size_ = 0;
   std::size_t node_size_count_ = 0;
 
   std::vector<Place> table_;
   std::size_t numbers_ = 0;
-  bool is_same_table_ = false;
   std::vector<std::uint8_t> is_written_;
 
   // What the next state gets.
@@ -505,8 +379,7 @@ class Commit {
   std::vector<std::uint32_t> number_of_;
   std::vector<BlockSize> size_of_;
   std::vector<Shared<PlacePage>> pages_;
-  std::vector<const std::uint32_t*> places_;
-  std::vector<std::uint32_t*> page_;  ///< the same, to be written
+  std::vector<std::uint32_t*> places_;  ///< of each page
   BlockTables<Bound> tables_;
   std::vector<std::uint32_t> position_of_;
 };

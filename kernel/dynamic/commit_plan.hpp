@@ -95,7 +95,8 @@ class CommitPlan {
   static constexpr std::size_t sorted_together = 4;
   static constexpr float much_shared = 0.75F;
   /// Blocks of which a commit finds out how much they share with others.
-  static constexpr std::size_t looked_at = 4;
+  [[nodiscard]] std::size_t looked_at() const noexcept { return changes_.size() < few_changes ? 1 : 4; }
+  static constexpr std::size_t few_changes = 1024;
   /// Bounds that a commit may sort again whatever has changed, so that what waits is sorted in the end.
   static constexpr double in_any_case = 1024;
 
@@ -172,7 +173,9 @@ class CommitPlan {
   /// Finds a block for every bound that has none.
   void route() {
     const std::size_t before = steps_.size();
+    if (arrivals_.empty()) return;
     steps_.resize(before + arrivals_.size());
+    const BestBlock best_block(old_, boxes_);
     constexpr std::size_t in_task = 1024;
     parallel_for(chunk_count(arrivals_.size(), in_task), 1, [&](std::size_t t, std::size_t) {
       const IndexRange task = chunk_at(arrivals_.size(), in_task, t);
@@ -180,7 +183,7 @@ class CommitPlan {
         const Change<Bound>& change = changes_[arrivals_[i]];
         float corner[6];
         corners_of(change.bound, corner);
-        const std::size_t block = boxes_.best_for(corner, is_for_large(change), kernels_).value_or(blocks());
+        const std::size_t block = best_block.find(corner, is_for_large(change), kernels_).value_or(blocks());
         steps_[before + i] = {arrivals_[i], static_cast<std::uint32_t>(block), 0, BlockStep::insert};
       }
     });
@@ -232,7 +235,7 @@ class CommitPlan {
       if (!is_chosen_[b] && !sort_again(b, needs_neighbours(b))) return;
     }
     // Blocks may share their space with others though their nodes are small.
-    for (std::size_t i = 0; i != std::min(looked_at, blocks()); ++i) {
+    for (std::size_t i = 0; i != std::min(looked_at(), blocks()); ++i) {
       const std::size_t b = upkeep_.next_looked_at++ % blocks();
       if (!is_chosen_[b] && needs_neighbours(b) && !sort_again(b, true)) return;
     }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -11,28 +12,47 @@
 
 namespace shaftcull::kernel {
 
-/// Copies those of the block at position p to level 1.
+/// Copies those of the block at position p to level 1: the ones of all words, or of these.
 template <class Bound>
-void copy_nodes(TreeLevels<Bound>& parts, std::size_t p, const LeafBlock<Bound>& block) noexcept {
+void copy_nodes(TreeLevels<Bound>& parts, std::size_t p, const LeafBlock<Bound>& block,
+                std::uint64_t words = ~std::uint64_t{0}) noexcept {
   const auto row = parts.node_rows(1, p * block_words);
-  for (std::size_t f = 0; f != 6; ++f) std::copy_n(block.node[f], block_words, row[f]);
   parts.gap_words(1)[p] = block.gaps;
-  if (block.layers() != nullptr) {
-    std::copy_n(block.word_layers, block_words, parts.layers.nodes.data() + parts.level[1].first + p * block_words);
+  std::uint32_t* const layers =
+      block.layers() == nullptr ? nullptr : parts.layers.nodes.data() + parts.level[1].first + p * block_words;
+  if (~words == 0) {
+    for (std::size_t f = 0; f != 6; ++f) std::copy_n(block.node[f], block_words, row[f]);
+    if (layers != nullptr) std::copy_n(block.word_layers, block_words, layers);
+    return;
+  }
+  for (; words != 0; words &= words - 1) {
+    const auto w = static_cast<std::size_t>(std::countr_zero(words));
+    for (std::size_t f = 0; f != 6; ++f) row[f][w] = block.node[f][w];
+    if (layers != nullptr) layers[w] = block.word_layers[w];
   }
 }
 
-/// Finds the layers of all nodes above level 1.
+/// Finds all layers below entry i of level k, above level 1.
+template <class Bound>
+void fit_layers_of_node(TreeLevels<Bound>& parts, std::size_t k, std::size_t i) noexcept {
+  const std::uint32_t* const below = parts.layers.nodes.data() + parts.level[k - 1].first + i * fanout;
+  std::uint32_t& all = parts.layers.nodes.data()[parts.level[k].first + i];
+  all = 0;
+  for (std::size_t j = 0; j != fanout; ++j) all |= below[j];
+}
 template <class Bound>
 void fit_upper_layers(TreeLevels<Bound>& parts) noexcept {
   for (std::size_t k = 2; k < parts.levels; ++k) {
-    const std::uint32_t* const below = parts.layers.nodes.data() + parts.level[k - 1].first;
-    std::uint32_t* const here = parts.layers.nodes.data() + parts.level[k].first;
-    for (std::size_t i = 0; i != parts.level[k].entries; ++i) {
-      here[i] = 0;
-      for (std::size_t j = 0; j != fanout; ++j) here[i] |= below[i * fanout + j];
-    }
+    for (std::size_t i = 0; i != parts.level[k].entries; ++i) fit_layers_of_node(parts, k, i);
   }
+}
+
+/// Fits the node of level 2 that holds the block at position p, whose nodes level 1 has already.
+template <class Bound>
+void fit_block_node(TreeLevels<Bound>& parts, const Kernels& kernels, std::size_t p,
+                    const LeafBlock<Bound>& block) noexcept {
+  fit_node_word(parts, kernels, 2, p);
+  if (block.layers() != nullptr) fit_layers_of_node(parts, 2, p);
 }
 
 }  // namespace shaftcull::kernel

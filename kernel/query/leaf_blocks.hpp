@@ -26,6 +26,9 @@ struct LeafBlocks {
   static constexpr unsigned number_shift = 12;
   static_assert(std::size_t{1} << number_shift == block_leaves);
   static constexpr std::uint32_t page_size = 4096;  ///< indices in a page
+  [[nodiscard]] static constexpr std::size_t pages_for(std::size_t indices) noexcept {
+    return (indices + page_size - 1) / page_size;
+  }
 
   /// The leaf of an index.
   [[nodiscard]] std::uint32_t leaf_of(std::uint32_t index) const noexcept {

@@ -34,6 +34,15 @@ struct BlockSize {
   bool is_large = false;
   bool is_apart = false;
 };
+template <class Bound>
+[[nodiscard]] BlockSize size_of(const LeafBlock<Bound>& block) noexcept {
+  return {static_cast<std::uint32_t>(block.count),
+          static_cast<std::uint32_t>(block.count_when_sorted),
+          static_cast<float>(block.growth()),
+          static_cast<std::uint32_t>(block.changed),
+          block.is_large,
+          block.is_apart};
+}
 
 /// Where blocks are, for queries: LeafBlocks refers to it.
 template <class Bound>
@@ -83,6 +92,7 @@ struct DynamicState : Ownable {
   std::vector<std::uint32_t> number_of;          ///< of the block at each position
   std::vector<BlockSize> size_of;                ///< of the block at each position
   std::vector<Shared<PlacePage>> pages;
+  bool owns_pages = false;  ///< no other state has any of them
   std::size_t index_end = 0;
   std::size_t count = 0;  ///< bounds
   bool has_layers = false;
@@ -90,8 +100,8 @@ struct DynamicState : Ownable {
   std::size_t node_size_count = 0;  ///< bounds when that was found
 
   BlockTables<Bound> tables;
-  std::vector<const std::uint32_t*> place;  ///< of each page
-  std::vector<std::uint32_t> position_of;   ///< of the block of each number
+  std::vector<std::uint32_t*> place;       ///< of each page
+  std::vector<std::uint32_t> position_of;  ///< of the block of each number
 
   [[nodiscard]] std::uint32_t place_of(std::uint32_t index) const noexcept {
     return place[index / LeafBlocks::page_size][index % LeafBlocks::page_size];

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+/// Writes the changes of a commit into blocks.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "dynamic/block_changes.hpp"
+#include "dynamic/changes.hpp"
+#include "dynamic/commit.hpp"
+#include "dynamic/commit_plan.hpp"
+#include "parallel/parallel.hpp"
+#include "support/prefetch.hpp"
+
+namespace shaftcull::kernel {
+
+/// Fewer steps are made by one thread.
+inline constexpr std::size_t few_steps = 1024;
+
+/// Calls write(i) for each i below `count`: in tasks, and for what these leave where they cannot be started, in this
+/// thread. `is_written` has `count` zeros.
+template <class Write>
+void write_each(std::size_t count, bool in_tasks, std::vector<std::uint8_t>& is_written, Write&& write) noexcept {
+  const auto write_one = [&](std::size_t i, std::size_t) {
+    if (is_written[i] != 0) return;
+    write(i);
+    is_written[i] = 1;
+  };
+  if (in_tasks) {
+#if defined(__cpp_exceptions)
+    try {
+      return parallel_for(count, 1, write_one);
+    } catch (...) {  // oneTBB could not start its tasks
+    }
+#else
+    return parallel_for(count, 1, write_one);
+#endif
+  }
+  for (std::size_t i = 0; i != count; ++i) write_one(i, 0);
+}
+
+template <class Bound>
+class BlockWriter {
+ public:
+  /// Refers to all arguments.
+  BlockWriter(const CommitPlan<Bound>& plan, const Changes<Bound>& changes, const Kernels& kernels) noexcept
+      : plan_(plan), changes_(changes.all), slots_(changes.slots), kernels_(kernels) {}
+
+  /// Makes the changes of the block that is at position `from`. Returns the words that were written, as bits.
+  std::uint64_t write(LeafBlock<Bound>& leaves, std::size_t from, const PlaceWriter& places) const noexcept {
+    const std::span<const BlockStep> steps = plan_.steps_of(from);
+    BlockChanges<Bound> block(leaves, places, kernels_);
+    for (const BlockStep& step : steps) {
+      if (step.kind == BlockStep::erase) block.erase(step.leaf, changes_[step.change]);
+    }
+    if (plan_.walks_blocks()) {
+      std::uint64_t taken[block_words];
+      std::copy_n(leaves.taken, block_words, taken);
+      for_each_changed(leaves, taken, [&](std::size_t leaf, const Change<Bound>& change) {
+        // One that was here may have gone to another word, and one that comes may be in its place.
+        if (leaves.order()[leaf] == change.index) block.move(leaf, change);
+      });
+    } else {
+      constexpr std::size_t prefetched = 16;
+      for (std::size_t i = 0; i != steps.size(); ++i) {
+        if (i + prefetched < steps.size()) prefetch_change(steps[i + prefetched].change);
+        if (steps[i].kind == BlockStep::move) block.move(steps[i].leaf, changes_[steps[i].change]);
+      }
+    }
+    for (const BlockStep& step : steps) {
+      if (step.kind == BlockStep::insert) block.insert(changes_[step.change]);
+    }
+    return block.finish();
+  }
+
+  /// Calls use(leaf, change) for those of these leaves whose bounds have changes. Both are all over memory: slots are
+  /// prefetched two words ahead, and changes one.
+  template <class Use>
+  void for_each_changed(const LeafBlock<Bound>& block, const std::uint64_t (&leaves)[block_words],
+                        Use&& use) const noexcept {
+    struct Word {
+      std::uint64_t leaves;
+      std::uint32_t change[fanout];
+    };
+    Word ahead[2];
+    const std::uint32_t* const order = block.order();
+    const auto prefetch_slots = [&](std::size_t w) {
+      if (w >= block_words) return;
+      for (std::uint64_t left = leaves[w]; left != 0; left &= left - 1) {
+        prefetch_to_second_level(&slots_[order[w * fanout + static_cast<std::size_t>(std::countr_zero(left))]], 1);
+      }
+    };
+    const auto look_up = [&](std::size_t w) {
+      if (w >= block_words) return;
+      Word& word = ahead[w % 2];
+      word.leaves = 0;
+      for (std::uint64_t left = leaves[w]; left != 0; left &= left - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(left));
+        const std::uint32_t change = slots_[order[w * fanout + i]].change;
+        if (change == 0) continue;
+        word.leaves |= left & -left;
+        word.change[i] = change - 1;
+        prefetch_change(change - 1);
+      }
+    };
+    prefetch_slots(0);
+    prefetch_slots(1);
+    look_up(0);
+    for (std::size_t w = 0; w != block_words; ++w) {
+      prefetch_slots(w + 2);
+      look_up(w + 1);
+      const Word& word = ahead[w % 2];
+      for (std::uint64_t left = word.leaves; left != 0; left &= left - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(left));
+        use(w * fanout + i, changes_[word.change[i]]);
+      }
+    }
+  }
+
+ private:
+  /// Changes of a block are all over memory.
+  SHAFTCULL_ALWAYS_INLINE void prefetch_change(std::uint32_t number) const noexcept {
+    const Change<Bound>& soon = changes_[number];
+    prefetch_to_second_level(&soon, 1);
+  }
+
+  const CommitPlan<Bound>& plan_;
+  std::span<const Change<Bound>> changes_;
+  std::span<const Slot> slots_;
+  const Kernels& kernels_;
+};
+
+}  // namespace shaftcull::kernel
