@@ -2,8 +2,8 @@
 /// dynamic/…: frames of bounds that come, go and move, by a dynamic tree, a new tree a frame, Bullet's tree and
 /// Boost's; and what queries cost after many such frames.
 ///
-/// A frame replaces one bound in a hundred (dynamic/S/frame), or ten (dynamic/S/ten), by bounds elsewhere, moves as
-/// many others by a tenth of their size, and commits.
+/// A frame replaces one bound in a hundred (dynamic/S/frame), or ten (dynamic/S/ten), or none (dynamic/S/ten_moved), by
+/// bounds elsewhere, moves as many others, or ten, by a tenth of their size, and commits.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -45,12 +45,18 @@ struct FrameChanges {
   std::vector<Vec3> displacement;
 };
 
+/// How many bounds each frame changes.
+struct FrameSize {
+  std::size_t replaced;
+  std::size_t moved;
+};
+
 /// Boxes, and changes of a frame after the other.
 class Crowd {
  public:
   explicit Crowd(std::size_t count) : boxes(small_boxes(count)), used_(count), random_(4200) {}
 
-  FrameChanges next(std::size_t changes) {
+  FrameChanges next(std::size_t replaced, std::size_t moved) {
     const float scale = std::cbrt(1e6F / static_cast<float>(boxes.size()));
     FrameChanges frame;
     const auto unused = [&] {
@@ -63,13 +69,13 @@ class Crowd {
       }
     };
     ++frame_;
-    for (std::size_t c = 0; c != changes; ++c) {
+    for (std::size_t c = 0; c != replaced; ++c) {
       frame.replaced.push_back(unused());
       frame.replaced_before.push_back(boxes[frame.replaced.back()]);
       frame.by.push_back(random_.box(0.005F * scale, 0.035F * scale));
       boxes[frame.replaced.back()] = frame.by.back();
     }
-    for (std::size_t c = 0; c != changes; ++c) {
+    for (std::size_t c = 0; c != moved; ++c) {
       frame.moved.push_back(unused());
       const float step = 0.002F * scale;
       frame.displacement.push_back(
@@ -132,13 +138,13 @@ class DynamicCrowd {
 
 /// Makes frames, without the time that it takes to think of them.
 template <class Make>
-void run_frames(benchmark::State& state, std::size_t count, std::size_t changes, const Make& make) {
+void run_frames(benchmark::State& state, std::size_t count, FrameSize changes, const Make& make) {
   select_isa(available_isas().back());
   Crowd crowd(count);
   auto scene = make(crowd.boxes);
   for (auto _ : state) {
     state.PauseTiming();
-    const FrameChanges frame = crowd.next(changes);
+    const FrameChanges frame = crowd.next(changes.replaced, changes.moved);
     state.ResumeTiming();
     scene(crowd.boxes, frame);
     benchmark::ClobberMemory();
@@ -146,7 +152,7 @@ void run_frames(benchmark::State& state, std::size_t count, std::size_t changes,
   state.SetItemsProcessed(state.iterations());
 }
 
-void add_frames(Suite& suite, const std::string& name, std::size_t count, std::size_t changes,
+void add_frames(Suite& suite, const std::string& name, std::size_t count, FrameSize changes,
                 const RunOptions& options) {
   suite.add(
       name, "",
@@ -160,8 +166,7 @@ void add_frames(Suite& suite, const std::string& name, std::size_t count, std::s
       options);
 }
 
-void add_peers(Suite& suite, const std::string& name, std::size_t count, std::size_t changes,
-               const RunOptions& options) {
+void add_peers(Suite& suite, const std::string& name, std::size_t count, FrameSize changes, const RunOptions& options) {
 #ifdef SHAFTCULL_BENCH_WITH_BULLET
   suite.add(
       name + "_bullet", "",
@@ -273,7 +278,7 @@ class AfterFrames {
     Scene(std::size_t count, std::size_t frames, bool streamed)
         : crowd(count), used(streamed ? std::span<const Box>() : std::span<const Box>(crowd.boxes)) {
       if (streamed) used.stream_in(crowd.boxes, count / 100 + 1);
-      for (std::size_t f = 0; f != frames && !streamed; ++f) used.make(crowd.next(count / 100));
+      for (std::size_t f = 0; f != frames && !streamed; ++f) used.make(crowd.next(count / 100, count / 100));
       fresh = BoxTree{std::span<const Box>(crowd.boxes)};
     }
     Crowd crowd;
@@ -295,15 +300,19 @@ void declare_dynamic(Suite& suite, const Workload& /*workload*/) {
   if (!suite.quick()) sizes.emplace_back("1m", 1000000);
   for (const auto& [size, count] : sizes) {
     const std::string name = "dynamic/" + size + "/";
-    add_frames(suite, name + "frame", count, count / 100, alone);
-    add_frames(suite, name + "frame_two_threads", count, count / 100, two);
-    add_frames(suite, name + "ten", count, 10, alone);
-    add_peers(suite, name + "frame", count, count / 100, alone);
-    add_peers(suite, name + "ten", count, 10, alone);
+    const FrameSize hundredth{count / 100, count / 100};
+    const FrameSize ten{10, 10};
+    add_frames(suite, name + "frame", count, hundredth, alone);
+    add_frames(suite, name + "frame_two_threads", count, hundredth, two);
+    add_frames(suite, name + "ten", count, ten, alone);
+    add_frames(suite, name + "ten_moved", count, {0, 10}, alone);
+    add_peers(suite, name + "frame", count, hundredth, alone);
+    add_peers(suite, name + "ten", count, ten, alone);
+    add_peers(suite, name + "ten_moved", count, {0, 10}, alone);
     suite.add(
         name + "new_tree", "",
-        [count = count](benchmark::State& state) {
-          run_frames(state, count, count / 100, [](std::span<const Box> boxes) {
+        [count = count, hundredth](benchmark::State& state) {
+          run_frames(state, count, hundredth, [](std::span<const Box> boxes) {
             return [tree = std::make_shared<BoxTree>(boxes)](const auto& after, const FrameChanges&) {
               *tree = BoxTree{std::span<const Box>(after)};
             };

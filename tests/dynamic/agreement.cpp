@@ -86,6 +86,25 @@ TYPED_TEST(DynamicTrees, SnapshotsStayAsTheyAreWhereCommitsTouchFewBlocks) {
   expect_equal(world.tree.committed(), world.model, world.random());
 }
 
+// The same where the next commit sorts blocks again: too many bounds come to one place.
+TYPED_TEST(DynamicTrees, SnapshotsStayAsTheyAreWhereCommitsSortBlocksAgain) {
+  World<TypeParam> world(21);
+  world.change({.count = 20000, .insertions = 10});
+  world.tree.commit();
+  const TreeSnapshot<TypeParam> snapshot = world.tree.snapshot();
+  const Model<TypeParam> model = world.model;
+  const BoundId some = model.ids.front();
+  world.tree.move(some, world.tree[some]);
+  world.tree.commit();
+  const TypeParam bound = model.bounds.front();
+  for (unsigned i = 0; i != 4000; ++i) world.model.insert(world.tree.insert(bound), bound, all_layers);
+  world.change({.count = 400, .insertions = 0});
+  world.tree.commit();
+  EXPECT_GT(world.tree.upkeep().sorted_last, 4000U);
+  expect_equal(snapshot, model, world.random());
+  expect_equal(world.tree.committed(), world.model, world.random());
+}
+
 // Of so many changes a commit goes through all blocks, and not from change to change.
 TYPED_TEST(DynamicTrees, AnswerAsAnArrayDoesWhereNearlyAllMove) {
   for (const bool layers : {false, true}) {
