@@ -41,7 +41,7 @@ struct Ladder::Side {
       planes.least_normal[k] = streams.stream(6 + k) + from;
       planes.largest_normal[k] = streams.stream(9 + k) + from;
     }
-    const PlaneLimits& limits = patches ? of.patches : of.groups;
+    const PlaneLimits& limits = patches ? of.planes->patches : of.planes->groups;
     planes.least_offset = limits.offset.data() + from;
     planes.error = limits.error.data() + from;
     if (!patches) return;
@@ -55,10 +55,10 @@ struct Ladder::Side {
     if (!of.tree.has_both_sides()) return;
     reversed_planes = planes;
     for (unsigned k = 0; k != 3; ++k) {
-      reversed_planes.least_normal[k] = reversed_planes.largest_normal[k] = of.reversed.normal[k].data() + from;
+      reversed_planes.least_normal[k] = reversed_planes.largest_normal[k] = of.planes->reversed.normal[k].data() + from;
     }
-    reversed_planes.least_offset = of.reversed.limits.offset.data() + from;
-    reversed_planes.error = of.reversed.limits.error.data() + from;
+    reversed_planes.least_offset = of.planes->reversed.limits.offset.data() + from;
+    reversed_planes.error = of.planes->reversed.limits.error.data() + from;
     reversed_planes.exact.are_reversed = true;
   }
   /// Streams of the corners of all lanes: stream 3 c + k has coordinate k of corner c. A box has eight.

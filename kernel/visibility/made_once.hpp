@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-/// Something that is made when it is first asked for.
+/// What is made when it is first asked for, and kept for those who ask again.
 #pragma once
 
 #include <memory>
+#include <utility>
 
 #include "support/threads.hpp"
 
@@ -39,6 +40,30 @@ class MadeOnce {
 
   mutable Mutex mutex_;
   mutable Shared made_;
+};
+
+/// The same of things that depend on a key: the last one is kept.
+template <class Key, class Made>
+class MadeForKey {
+ public:
+  using Shared = std::shared_ptr<const Made>;
+
+  /// What make() returns, which must depend on the key alone.
+  template <class Make>
+  [[nodiscard]] Shared of(const Key& key, const Make& make) const {
+    const Lock lock(mutex_);
+    if (made_ == nullptr || !(key_ == key)) {
+      Shared made = std::make_shared<const Made>(make());
+      made_ = std::move(made);
+      key_ = key;
+    }
+    return made_;
+  }
+
+ private:
+  mutable Mutex mutex_;
+  mutable Shared made_;
+  mutable Key key_{};
 };
 
 }  // namespace shaftcull::kernel

@@ -17,6 +17,7 @@
 #include "shaftcull/visibility.hpp"
 #include "visibility/made_once.hpp"
 #include "visibility/ray_shapes.hpp"
+#include "visibility/sight_planes.hpp"
 #include "visibility/turned_groups.hpp"
 
 namespace shaftcull::kernel {
@@ -137,6 +138,11 @@ class PatchTree {
   [[nodiscard]] float largest_coordinate() const noexcept { return largest_coordinate_; }
   /// The patches as rays meet them, made when they are first asked for. Throws as outline_of().
   [[nodiscard]] std::shared_ptr<const RayPatches> ray_patches() const;
+  /// The planes of a job (sight_set()), which make() makes unless they were those of the last job.
+  template <class Make>
+  [[nodiscard]] std::shared_ptr<const SightPlanes> sight_planes(const SightKey& key, const Make& make) const {
+    return sight_planes_ ? sight_planes_->of(key, make) : std::make_shared<const SightPlanes>(make());
+  }
 
  private:
   std::vector<std::uint32_t> order_;
@@ -150,7 +156,8 @@ class PatchTree {
   std::vector<TurnedGroup> turned_groups_;
   float largest_coordinate_ = 0;
   bool has_both_sides_ = false;
-  std::shared_ptr<MadeOnce<RayPatches>> ray_patches_;  ///< null if there are no patches
+  std::shared_ptr<MadeOnce<RayPatches>> ray_patches_;                ///< null if there are no patches
+  std::shared_ptr<MadeForKey<SightKey, SightPlanes>> sight_planes_;  ///< likewise
 };
 
 /// The corners of a box that differ.

@@ -180,12 +180,15 @@ PlaneLimits group_limits(const PatchTree& tree, const PlaneLimits& patches, floa
 }  // namespace
 
 SightSet sight_set(const PatchTree& tree, float tolerance, float coordinate) {
-  return in_float_environment([&] {
-    PlaneLimits patches = patch_limits(tree, tolerance, coordinate);
-    ReversedPlanes reversed = reversed_planes(tree, tolerance, coordinate);
-    PlaneLimits groups = group_limits(tree, patches, tolerance, coordinate);
-    return SightSet{tree, tolerance, coordinate, std::move(patches), std::move(reversed), std::move(groups)};
-  });
+  return {tree, tolerance, coordinate, tree.sight_planes({tolerance, coordinate}, [&] {
+            return in_float_environment([&] {
+              SightPlanes planes;
+              planes.patches = patch_limits(tree, tolerance, coordinate);
+              planes.reversed = reversed_planes(tree, tolerance, coordinate);
+              planes.groups = group_limits(tree, planes.patches, tolerance, coordinate);
+              return planes;
+            });
+          })};
 }
 
 }  // namespace shaftcull::kernel

@@ -245,6 +245,28 @@ TEST(Visibility, IsOccludedInTheSeamOfTwoSolidsHoweverPatchesAreGrouped) {
   }
 }
 
+// What a set keeps from one call to the next belongs to the tolerance, and to how far coordinates reach.
+TEST(Visibility, OfASetThatWasAskedBeforeIsThatOfANewOne) {
+  constexpr Box far[] = {{{-1e6F, -1e6F, 9e5F}, {1e6F, 1e6F, 1e6F}}};
+  Occluders elsewhere;
+  elsewhere.add_boxes(std::span<const Box>(far));
+  std::uint64_t differ = 0;
+  for (std::uint64_t seed = 1; seed <= random_cases(120); ++seed) {
+    const auto scenery = static_cast<SightScenery>(seed % sight_sceneries);
+    SCOPED_TRACE(std::string("random_sight_scene(") + name(scenery) + ", " + std::to_string(seed) + ", 40)");
+    const SightCase used(random_sight_scene(scenery, seed, 40));
+    VisibilityOptions tolerant = used.options;
+    tolerant.tolerance += 0.25F;
+    (void)count_visibility(used.a, used.b, elsewhere, tolerant);
+    for (const VisibilityOptions& options : {used.options, tolerant, used.options}) {
+      const SightCase fresh(random_sight_scene(scenery, seed, 40));
+      EXPECT_EQ(used.count(options), fresh.count(options));
+    }
+    differ += used.count(tolerant) != used.count(used.options) ? 1 : 0;
+  }
+  EXPECT_GT(differ, 2U);
+}
+
 // Of a group, both a unit normal and a shorter one along the same axis: the shorter one's products round.
 TEST(Visibility, IsNotTakenForFacingAwayWhereAGroupHasNormalsOfSeveralLengths) {
   expect_right(SightScenery::lattice, 1, 24, 118);
