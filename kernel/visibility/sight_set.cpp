@@ -180,15 +180,15 @@ PlaneLimits group_limits(const PatchTree& tree, const PlaneLimits& patches, floa
 }  // namespace
 
 SightSet sight_set(const PatchTree& tree, float tolerance, float coordinate) {
-  return {tree, tolerance, coordinate, tree.sight_planes({tolerance, coordinate}, [&] {
-            return in_float_environment([&] {
-              SightPlanes planes;
-              planes.patches = patch_limits(tree, tolerance, coordinate);
-              planes.reversed = reversed_planes(tree, tolerance, coordinate);
-              planes.groups = group_limits(tree, planes.patches, tolerance, coordinate);
-              return planes;
-            });
-          })};
+  return in_float_environment([&] {
+    return SightSet{tree, tolerance, coordinate, tree.sight_planes({tolerance, coordinate}, [&] {
+                      SightPlanes planes;
+                      planes.patches = patch_limits(tree, tolerance, coordinate);
+                      planes.reversed = reversed_planes(tree, tolerance, coordinate);
+                      planes.groups = group_limits(tree, planes.patches, tolerance, coordinate);
+                      return planes;
+                    })};
+  });
 }
 
 }  // namespace shaftcull::kernel
