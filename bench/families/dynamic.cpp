@@ -251,21 +251,25 @@ void add_all_moving(Suite& suite, const std::string& name, std::size_t count, co
       options);
 }
 
-/// Lists of swept boxes, of a tree that has seen many frames and of a new one of the same boxes.
+/// Lists of swept boxes, of a dynamic tree that has seen many frames, and of new trees of the same boxes.
 class AfterFrames {
  public:
+  enum class Tree { used, rebuilt, fresh };
+
   /// `streamed`: the frames insert the boxes, a hundredth each; otherwise they replace and move some.
   AfterFrames(std::size_t count, std::size_t frames, bool streamed)
       : count_(count), frames_(frames), streamed_(streamed) {}
 
-  void query(benchmark::State& state, const SweptSetting& setting, bool is_fresh) {
+  void query(benchmark::State& state, const SweptSetting& setting, Tree tree) {
     select_isa(available_isas().back());
     Scene& scene = scene_.get([&] { return Scene(count_, frames_, streamed_); });
     const SweptBoxes swept(queries, setting, std::cbrt(1e6F / static_cast<float>(count_)));
     std::vector<CompiledShaft> shafts(queries);
     compile_batch(swept.from.view(), swept.to.view(), shafts);
     std::vector<std::uint32_t> hits(count_ + count_ / 8);
-    const Bounds bounds = is_fresh ? Bounds(scene.fresh) : Bounds(scene.used.tree);
+    const Bounds bounds = tree == Tree::used      ? Bounds(scene.used.tree)
+                          : tree == Tree::rebuilt ? Bounds(scene.rebuilt.tree)
+                                                  : Bounds(scene.fresh);
     for (auto _ : state) {
       for (const CompiledShaft& shaft : shafts) benchmark::DoNotOptimize(list(shaft, bounds, std::span(hits)));
     }
@@ -280,9 +284,11 @@ class AfterFrames {
       if (streamed) used.stream_in(crowd.boxes, count / 100 + 1);
       for (std::size_t f = 0; f != frames && !streamed; ++f) used.make(crowd.next(count / 100, count / 100));
       fresh = BoxTree{std::span<const Box>(crowd.boxes)};
+      rebuilt = DynamicCrowd(crowd.boxes);
     }
     Crowd crowd;
     DynamicCrowd used;
+    DynamicCrowd rebuilt{{}};
     BoxTree fresh;
   };
   std::size_t count_;
@@ -325,10 +331,15 @@ void declare_dynamic(Suite& suite, const Workload& /*workload*/) {
       const auto after = std::make_shared<AfterFrames>(count, suite.quick() ? 50 : 300, streamed);
       for (const SweptSetting& setting : swept_settings) {
         const std::string query = name + (streamed ? "streamed/" : "query/") + setting.name;
-        suite.add(query, "", [=](benchmark::State& state) { after->query(state, setting, false); }, {.brief = true});
-        suite.add(query + "_fresh", "", [=](benchmark::State& state) { after->query(state, setting, true); },
-                  {.brief = true});
-        if (!streamed) suite.add_time_ratio_target(query, query + "_fresh", 1.3);
+        const auto add = [&](const char* suffix, AfterFrames::Tree tree) {
+          suite.add(query + suffix, "", [=](benchmark::State& state) { after->query(state, setting, tree); },
+                    {.brief = true});
+        };
+        add("", AfterFrames::Tree::used);
+        add("_fresh", AfterFrames::Tree::fresh);
+        if (streamed) continue;
+        add("_rebuilt", AfterFrames::Tree::rebuilt);
+        suite.add_time_ratio_target(query, query + "_fresh", 1.3);
       }
     }
   }
