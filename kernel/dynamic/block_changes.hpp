@@ -96,14 +96,11 @@ class BlockChanges {
 
   /// Fits the nodes of all words that were touched. Returns the words whose nodes were fitted, as bits.
   std::uint64_t finish() noexcept {
-    const std::uint64_t fitted = std::popcount(dirty_) > many_dirty ? ~std::uint64_t{0} : dirty_;
-    block_.fit(fitted, kernels_);
-    return fitted;
+    block_.fit(dirty_, kernels_);
+    return dirty_;
   }
 
  private:
-  static constexpr int many_dirty = 56;
-
   static constexpr std::uint64_t bit(std::size_t word) noexcept { return std::uint64_t{1} << word; }
   void mark(std::size_t word) noexcept { dirty_ |= bit(word); }
   /// Notes which words are used, and which have a free leaf: from the first bound on that looks for a word.

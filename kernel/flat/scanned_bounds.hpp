@@ -51,7 +51,8 @@ struct ScannedBounds {
   /// The bound at a position.
   [[nodiscard]] BoundPlace at(std::size_t position_of_bound) const noexcept {
     if (!blocks.exist()) return {streams.stream, position_of_bound};
-    return {blocks.row + position_of_bound / block_leaves * streams.rows, position_of_bound % block_leaves};
+    return {blocks.row + position_of_bound / block_leaves * streams.rows,
+            place_in_block(position_of_bound, streams.rows)};
   }
   /// The layers of the bound at a position, if there are any.
   [[nodiscard]] std::uint32_t layers_at(std::size_t position_of_bound) const noexcept {

@@ -10,10 +10,16 @@ namespace shaftcull::kernel {
 /// Leaves of a block: those below one word of nodes.
 inline constexpr std::size_t block_leaves = 4096;
 
+/// Where a leaf of a block is in the block's streams. These take turns: the rows of a word of 64 leaves follow each
+/// other, so that a word is in one or two pages of memory.
+[[nodiscard]] constexpr std::size_t place_in_block(std::size_t leaf, std::size_t rows) noexcept {
+  return leaf % block_leaves / 64 * 64 * rows + leaf % 64;
+}
+
 /// Where the blocks of a tree are. Leaf p is in block p / block_leaves. Behind the last block is one more, which holds
 /// a single empty bound: the leaf of indices that belong to no bound.
 struct LeafBlocks {
-  const float* const* row = nullptr;             ///< the streams of each block, one after another; null: in one piece
+  const float* const* row = nullptr;             ///< the streams of each block (place_in_block()); null: in one piece
   const std::uint64_t* const* taken = nullptr;   ///< of each block, for each word of leaves: those that are not free
   const std::uint32_t* const* order = nullptr;   ///< of each block, the user's index of its leaves
   const std::uint32_t* const* layers = nullptr;  ///< of each block; null if all bounds are in all layers

@@ -60,7 +60,7 @@ struct BlockTables {
     if (has_layers) layers.resize(blocks + 1);
   }
   void set(std::size_t position, const LeafBlock<Bound>& block) noexcept {
-    for (std::size_t r = 0; r != rows_of<Bound>; ++r) row[position * rows_of<Bound> + r] = block.row(r);
+    for (std::size_t r = 0; r != rows_of<Bound>; ++r) row[position * rows_of<Bound> + r] = block.stream(r);
     taken[position] = block.taken;
     order[position] = block.order();
     if (!layers.empty()) layers[position] = block.layers();
@@ -129,7 +129,7 @@ struct DynamicState : Ownable {
     const float* const* const stream =
         &tables.row[position_of[place_of_bound >> LeafBlocks::number_shift] * rows_of<Bound>];
     for (std::size_t r = 0; r != rows_of<Bound>; ++r) {
-      prefetch_to_second_level(stream[r] + place_of_bound % block_leaves, 1);
+      prefetch_to_second_level(stream[r] + place_in_block(place_of_bound, rows_of<Bound>), 1);
     }
   }
 

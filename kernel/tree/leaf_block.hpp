@@ -43,8 +43,10 @@ class LeafBlock : public Ownable {
 
   /// All leaves are free.
   explicit LeafBlock(bool has_layers)
-      : memory_(rows * row_stride), order_(block_leaves), layers_(has_layers ? block_leaves : 0) {
-    for (std::size_t r = 0; r != rows; ++r) std::fill_n(row(r), block_leaves, padding_of<Bound>()[r]);
+      : memory_(rows * block_leaves), order_(block_leaves), layers_(has_layers ? block_leaves : 0) {
+    for (std::size_t w = 0; w != block_words; ++w) {
+      for (std::size_t r = 0; r != rows; ++r) std::fill_n(at(w * fanout) + r * fanout, fanout, padding_of<Bound>()[r]);
+    }
     std::fill_n(order_.get(), block_leaves, 0U);
     if (has_layers) std::fill_n(layers_.get(), block_leaves, 0U);
     for (std::size_t f = 0; f != 6; ++f) std::fill_n(node[f], block_words, padding_box[f]);
@@ -61,10 +63,10 @@ class LeafBlock : public Ownable {
         surface(other.surface),
         empties(other.empties),
         gaps(other.gaps),
-        memory_(rows * row_stride),
+        memory_(rows * block_leaves),
         order_(block_leaves),
         layers_(has_layers ? block_leaves : 0) {
-    for (std::size_t r = 0; r != rows; ++r) std::copy_n(other.row(r), block_leaves, row(r));
+    std::copy_n(other.memory_.get(), rows * block_leaves, memory_.get());
     std::copy_n(other.order(), block_leaves, order());
     std::copy_n(&other.node[0][0], 6 * block_words, &node[0][0]);
     std::copy_n(other.taken, block_words, taken);
@@ -81,7 +83,8 @@ class LeafBlock : public Ownable {
   LeafBlock& operator=(const LeafBlock&) = delete;
   ~LeafBlock() = default;
 
-  [[nodiscard]] float* row(std::size_t r) const noexcept { return memory_.get() + r * row_stride; }
+  /// Row r of the first word. Those of other words are at place_in_block().
+  [[nodiscard]] const float* stream(std::size_t r) const noexcept { return memory_.get() + r * fanout; }
   [[nodiscard]] std::uint32_t* order() const noexcept { return order_.get(); }
   /// Null if all bounds are in all layers.
   [[nodiscard]] std::uint32_t* layers() const noexcept { return layers_.get(); }
@@ -94,7 +97,7 @@ class LeafBlock : public Ownable {
   /// To a leaf that is free.
   void write(std::size_t leaf, const float* bound, std::uint32_t index, std::uint32_t layers_of_bound) noexcept {
     empties += is_empty(bound) ? 1 : 0;
-    for (std::size_t r = 0; r != rows; ++r) row(r)[leaf] = bound[r];
+    put(leaf, bound);
     order()[leaf] = index;
     if (layers() != nullptr) layers()[leaf] = layers_of_bound;
     taken[leaf / fanout] |= std::uint64_t{1} << leaf % fanout;
@@ -105,7 +108,7 @@ class LeafBlock : public Ownable {
     read(leaf, before);
     empties += is_empty(bound) ? 1 : 0;
     empties -= is_empty(before) ? 1 : 0;
-    for (std::size_t r = 0; r != rows; ++r) row(r)[leaf] = bound[r];
+    put(leaf, bound);
     if (layers() != nullptr) layers()[leaf] = layers_of_bound;
   }
   /// Frees a leaf that is taken.
@@ -113,12 +116,13 @@ class LeafBlock : public Ownable {
     float bound[rows];
     read(leaf, bound);
     empties -= is_empty(bound) ? 1 : 0;
-    for (std::size_t r = 0; r != rows; ++r) row(r)[leaf] = padding_of<Bound>()[r];
+    put(leaf, padding_of<Bound>());
     if (layers() != nullptr) layers()[leaf] = 0;
     taken[leaf / fanout] &= ~(std::uint64_t{1} << leaf % fanout);
   }
   void read(std::size_t leaf, float (&bound)[rows]) const noexcept {
-    for (std::size_t r = 0; r != rows; ++r) bound[r] = row(r)[leaf];
+    const float* const from = at(leaf);
+    for (std::size_t r = 0; r != rows; ++r) bound[r] = from[r * fanout];
   }
   [[nodiscard]] std::uint32_t layers_at(std::size_t leaf) const noexcept {
     return layers() == nullptr ? ~std::uint32_t{0} : layers()[leaf];
@@ -127,22 +131,14 @@ class LeafBlock : public Ownable {
   /// Fits the nodes of the words in `dirty` to their leaves, and finds the surface.
   void fit(std::uint64_t dirty, const Kernels& kernels) noexcept {
     NodeBounds* const node_bounds = kernels.node_bounds(ViewOf<Bound>{});
-    if (dirty == ~std::uint64_t{0}) {
+    for (std::uint64_t left = dirty; left != 0; left &= left - 1) {
+      const auto word = static_cast<std::size_t>(std::countr_zero(left));
       const float* stream[rows];
       float* out[6];
-      for (std::size_t r = 0; r != rows; ++r) stream[r] = row(r);
-      for (std::size_t f = 0; f != 6; ++f) out[f] = node[f];
-      gaps = node_bounds(stream, block_words, out);
-    } else {
-      for (std::uint64_t left = dirty; left != 0; left &= left - 1) {
-        const auto word = static_cast<std::size_t>(std::countr_zero(left));
-        const float* stream[rows];
-        float* out[6];
-        for (std::size_t r = 0; r != rows; ++r) stream[r] = row(r) + word * fanout;
-        for (std::size_t f = 0; f != 6; ++f) out[f] = node[f] + word;
-        const std::uint64_t gap = node_bounds(stream, 1, out);
-        gaps = (gaps & ~(left & -left)) | (gap != 0 ? left & -left : 0);
-      }
+      for (std::size_t r = 0; r != rows; ++r) stream[r] = at(word * fanout) + r * fanout;
+      for (std::size_t f = 0; f != 6; ++f) out[f] = node[f] + word;
+      const std::uint64_t gap = node_bounds(stream, 1, out);
+      gaps = (gaps & ~(left & -left)) | (gap != 0 ? left & -left : 0);
     }
     if (empties == 0) gaps = 0;
     // Kernels fit no node to nothing.
@@ -169,7 +165,7 @@ class LeafBlock : public Ownable {
     return surface == surface_when_sorted ? 1 : surface / surface_when_sorted;
   }
   [[nodiscard]] std::size_t bytes() const noexcept {
-    return sizeof *this + sizeof(float) * rows * row_stride + sizeof(std::uint32_t) * block_leaves +
+    return sizeof *this + sizeof(float) * rows * block_leaves + sizeof(std::uint32_t) * block_leaves +
            (layers() == nullptr ? 0 : sizeof(std::uint32_t) * block_leaves);
   }
 
@@ -189,8 +185,12 @@ class LeafBlock : public Ownable {
  private:
   [[nodiscard]] static bool is_empty(const float* bound) noexcept { return rows == 6 && bound[3] < bound[0]; }
 
-  /// Rows a power of two apart would share the same few sets of caches.
-  static constexpr std::size_t row_stride = block_leaves + 16;
+  /// Row 0 of a leaf; the others are `fanout` apart.
+  [[nodiscard]] float* at(std::size_t leaf) const noexcept { return memory_.get() + place_in_block(leaf, rows); }
+  void put(std::size_t leaf, const float* bound) noexcept {
+    float* const to = at(leaf);
+    for (std::size_t r = 0; r != rows; ++r) to[r * fanout] = bound[r];
+  }
 
   void fit_layers(std::uint64_t dirty) noexcept {
     for (; dirty != 0; dirty &= dirty - 1) {

@@ -87,7 +87,7 @@ struct TreeLevels {
                           : StreamAccess::view(leaves).stream.data();
   }
   [[nodiscard]] std::size_t place_in_streams(std::size_t leaf) const noexcept {
-    return blocks.exist() ? leaf % block_leaves : leaf;
+    return blocks.exist() ? place_in_block(leaf, rows_of<Bound>) : leaf;
   }
   /// Words of entries of level `k`, which is at least 1, from entry `from` on.
   [[nodiscard]] BoxView node_words(std::size_t k, std::size_t from, std::size_t words) const noexcept {

@@ -120,7 +120,9 @@ void Walk<Bound>::test_blocks(const ShaftData& shaft, const std::uint32_t* word,
   for (std::size_t i = 0; i != words;) {
     const std::uint32_t block = word[i] / block_words;
     std::size_t end = i;
-    for (; end != words && word[end] / block_words == block; ++end) in_block[end - i] = word[end] % block_words;
+    for (; end != words && word[end] / block_words == block; ++end) {
+      in_block[end - i] = word[end] % block_words * rows_of<Bound>;
+    }
     test_leaves_(shaft, parts_.streams_at(block * block_leaves), in_block, end - i, kept + i,
                  inside != nullptr ? inside + i : nullptr, 1);
     i = end;
