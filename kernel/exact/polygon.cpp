@@ -6,6 +6,8 @@
 
 #include "exact/blocking.hpp"
 #include "exact/expansion.hpp"
+#include "exact/measured.hpp"
+#include "exact/orientation.hpp"
 #include "exact/sides.hpp"
 
 namespace shaftcull::kernel {
@@ -20,7 +22,7 @@ struct Magnitude {
   static double difference(double a, double b) noexcept { return std::fabs(a - b); }
 };
 
-/// (b − a) · ((p − a) × (q − a)) in the arithmetic of `Number`, Rounded or Expansion<2>.
+/// (b − a) · ((p − a) × (q − a)) in the arithmetic of `Number`, Rounded, Measured or Expansion<2>.
 template <class Number>
 auto orientation_in(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q) noexcept {
   const auto along = [&](std::size_t k) { return Number::difference(b[k], a[k]); };
@@ -57,7 +59,10 @@ int certain_orientation(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3&
 /// of b, p and q the point a is.
 int orientation(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q) noexcept {
   const int certain = certain_orientation(a, b, p, q);
-  return certain != 0 ? certain : orientation_in<Expansion<2>>(a, b, p, q).sign();
+  if (certain != 0) return certain;
+  const Measured measured = orientation_in<Measured>(a, b, p, q);
+  if (measured.is_known()) return measured.is_positive() ? 1 : measured.is_negative() ? -1 : 0;
+  return orientation_in<Expansion<2>>(a, b, p, q).sign();
 }
 
 /// Whether a segment certainly passes two edges of a polygon on different sides. Then so do segments near it: the ends
@@ -113,9 +118,7 @@ template <Ends ends>
 bool passes_plane(std::span<const Vec3> a, std::span<const Vec3> b, const Vec3& p, const Vec3& q,
                   const Vec3& r) noexcept {
   const auto cross = [&](std::size_t i, std::size_t j) {
-    return (Expansion<2>::difference(q[i], p[i]) * Expansion<2>::difference(r[j], p[j]) -
-            Expansion<2>::difference(q[j], p[j]) * Expansion<2>::difference(r[i], p[i]))
-        .sign();
+    return determinant_sign({q[i], p[i]}, {q[j], p[j]}, {r[i], p[i]}, {r[j], p[j]});
   };
   if (cross(0, 1) == 0 && cross(1, 2) == 0 && cross(2, 0) == 0) return true;
   const int of_a = side_of_plane<ends>(a, p, q, r);
