@@ -8,6 +8,9 @@ endif()
 if("${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${CMAKE_BUILD_TYPE}}" MATCHES "-fsanitize")
   return()  # sanitizers lay out memory as qemu-user does not allow
 endif()
+if(CMAKE_BUILD_TYPE STREQUAL "Debug")
+  return()  # what is shipped is optimised
+endif()
 find_program(SHAFTCULL_QEMU qemu-x86_64)
 
 # shaftcull_emulated_test(CPU ISA AREA [argument…]): emulated.<cpu>.<area>, which must find that ISA is the best there is. CPU may
