@@ -99,9 +99,10 @@ struct TreeUpkeep {
 ///
 /// *Errors.* A call that throws, std::bad_alloc included, leaves the tree, its changes and all snapshots as they were.
 ///
-/// *Memory.* Each bound takes its own size, about 24 bytes more, and another 4 if any bound is not in all layers. A
-/// change takes 32 bytes until the commit. A tree holds at most 2²⁹ bounds. Moves are O(1) and leave an empty tree. A
-/// tree cannot be copied: copy its snapshots.
+/// *Memory.* Each bound takes its own size, about 24 bytes more, and another 4 if any bound is not in all layers. In
+/// trees of a few thousand bounds, and where sizes differ much, it is up to twice as much. Each change takes 32 to 64
+/// bytes, which are kept for the changes of the next commit. A tree holds at most 2²⁹ bounds. Moves are O(1) and leave
+/// an empty tree. A tree cannot be copied: copy its snapshots.
 template <class Bound>
 class DynamicTree {
  public:

@@ -107,8 +107,9 @@ enum class PatchSides : std::uint8_t {
   both,   ///< from both sides; two patches in one plane are facing_away, within the tolerance
 };
 
-/// A set of patches, in a tree. A set holds copies of the boxes and planes; copies of the set share them. A set that
-/// was moved from has no patches.
+/// A set of patches, in a tree. A set holds copies of the boxes and planes; copies of the set share them. The first
+/// call adds about 9 bytes per patch, or 30 if patches are seen from both sides, which the set keeps for calls with the
+/// same tolerance. A set that was moved from has no patches.
 class SHAFTCULL_EXPORT PatchSet {
  public:
   /// An empty set.

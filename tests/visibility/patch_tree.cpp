@@ -17,6 +17,7 @@
 #include "shaftcull/streams.hpp"
 #include "support/float_environment.hpp"
 #include "visibility/patch_halving.hpp"
+#include "visibility/sight_set.hpp"
 
 namespace shaftcull::test {
 namespace {
@@ -223,6 +224,27 @@ TEST(PatchTree, GroupsByPlaceIfPatchesFaceManyWaysOrAreFew) {
     const PatchTree tree = tree_of(patches_along_axes(count, aslant));
     EXPECT_FALSE(faces_one_way(tree, 1)) << count << " patches";
   }
+}
+
+// What a tree keeps from one job to the next belongs to the tolerance and the largest coordinate of the job.
+TEST(SightSets, HavePlanesOfTheirOwnJob) {
+  const Patches patches = patches_of("random", 200, 7);
+  const BoxStream boxes(patches.boxes);
+  const PatchTree used(boxes.view(), patches.planes);
+  std::vector<std::vector<float>> errors;
+  for (const auto& [tolerance, coordinate] :
+       {std::pair(0.0F, 10.0F), {0.0F, 1e6F}, {0.25F, 1e6F}, {0.25F, 10.0F}, {0.0F, 10.0F}}) {
+    const PatchTree fresh(boxes.view(), patches.planes);
+    const kernel::SightSet of_used = sight_set(used, tolerance, coordinate);
+    const kernel::SightSet of_fresh = sight_set(fresh, tolerance, coordinate);
+    EXPECT_EQ(of_used.planes->patches.offset, of_fresh.planes->patches.offset);
+    EXPECT_EQ(of_used.planes->patches.error, of_fresh.planes->patches.error);
+    EXPECT_EQ(of_used.planes->groups.error, of_fresh.planes->groups.error);
+    EXPECT_EQ(sight_set(used, tolerance, coordinate).planes, of_used.planes);
+    errors.push_back(of_used.planes->patches.error);
+  }
+  EXPECT_NE(errors[0], errors[1]);
+  EXPECT_NE(errors[2], errors[3]);
 }
 
 }  // namespace
