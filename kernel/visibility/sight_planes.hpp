@@ -2,6 +2,7 @@
 /// Planes of patches and groups, as lanes read them.
 #pragma once
 
+#include <array>
 #include <vector>
 
 namespace shaftcull::kernel {
@@ -15,7 +16,7 @@ struct PlaneLimits {
 
 /// Planes of patches that are seen from both sides, facing the other way than those of the tree.
 struct ReversedPlanes {
-  std::vector<float> normal[3];
+  std::array<std::vector<float>, 3> normal;
   PlaneLimits limits;
 };
 
