@@ -51,8 +51,9 @@ void print_list(const Suite& suite, const Results& results) {
   for (const Entry& entry : suite.entries()) {
     const std::optional<double> speed = results.per_second(entry.name);
     if (!speed || split(entry.name).isa) continue;
+    const double each = 1e9 / *speed;
     fmt::print("{:<42}{}{}{}\n", entry.name, cell(speed_text(*speed), 12),
-               cell(fmt::format("{:.2f}", 1e9 / *speed), 12),
+               cell(fmt::format("{:.{}f}", each, each < 1e5 ? 2 : 0), 12),
                cell(ratio_text(results.ratio(entry.name, entry.paper)), 12));
   }
 }
