@@ -78,45 +78,19 @@ class BlockWriter {
   }
 
   /// Calls use(leaf, change) for those of these leaves whose bounds have changes. Both are all over memory: slots are
-  /// prefetched two words ahead, and changes one.
+  /// prefetched two words ahead, and changes one. One at a time: of many at once, processors drop some.
   template <class Use>
   void for_each_changed(const LeafBlock<Bound>& block, const std::uint64_t (&leaves)[block_words],
                         Use&& use) const noexcept {
-    struct Word {
-      std::uint64_t leaves;
-      std::uint32_t change[fanout];
-    };
-    Word ahead[2];
-    const std::uint32_t* const order = block.order();
-    const auto prefetch_slots = [&](std::size_t w) {
-      if (w >= block_words) return;
-      for (std::uint64_t left = leaves[w]; left != 0; left &= left - 1) {
-        prefetch_to_second_level(&slots_[order[w * fanout + static_cast<std::size_t>(std::countr_zero(left))]], 1);
-      }
-    };
-    const auto look_up = [&](std::size_t w) {
-      if (w >= block_words) return;
-      Word& word = ahead[w % 2];
-      word.leaves = 0;
-      for (std::uint64_t left = leaves[w]; left != 0; left &= left - 1) {
-        const auto i = static_cast<std::size_t>(std::countr_zero(left));
-        const std::uint32_t change = slots_[order[w * fanout + i]].change;
-        if (change == 0) continue;
-        word.leaves |= left & -left;
-        word.change[i] = change - 1;
-        prefetch_change(change - 1);
-      }
-    };
-    prefetch_slots(0);
-    prefetch_slots(1);
-    look_up(0);
+    const auto slot = [this, order = block.order()](std::size_t leaf) -> const Slot& { return slots_[order[leaf]]; };
     for (std::size_t w = 0; w != block_words; ++w) {
-      prefetch_slots(w + 2);
-      look_up(w + 1);
-      const Word& word = ahead[w % 2];
-      for (std::uint64_t left = word.leaves; left != 0; left &= left - 1) {
-        const auto i = static_cast<std::size_t>(std::countr_zero(left));
-        use(w * fanout + i, changes_[word.change[i]]);
+      for (std::uint64_t left = leaves[w]; left != 0; left &= left - 1) {
+        const std::size_t leaf = w * fanout + static_cast<std::size_t>(std::countr_zero(left));
+        if (w + 2 < block_words) prefetch_to_second_level(&slot(leaf + 2 * fanout), 1);
+        if (w + 1 < block_words) {
+          if (const std::uint32_t soon = slot(leaf + fanout).change) prefetch_change(soon - 1);
+        }
+        if (const std::uint32_t change = slot(leaf).change) use(leaf, changes_[change - 1]);
       }
     }
   }
