@@ -9,7 +9,7 @@ if("${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${CMAKE_BUILD_TYPE}}" MATCHES "-fsaniti
   return()  # sanitizers lay out memory as qemu-user does not allow
 endif()
 if(CMAKE_BUILD_TYPE STREQUAL "Debug")
-  return()  # what is shipped is optimised
+  return()  # these tests are of the optimised code that is shipped
 endif()
 find_program(SHAFTCULL_QEMU qemu-x86_64)
 

@@ -439,6 +439,8 @@ TYPED_TEST(DynamicOutOfMemory, CommitsAreMadeOrNot) {
     // Everything is sorted; some of two blocks is changed; bounds get layers; blocks are too full, and are split.
     expect_dynamic_tree_kept<TypeParam>(holds_snapshot, {.count = 0}, {.count = 300, .insertions = 10});
     expect_dynamic_tree_kept<TypeParam>(holds_snapshot, {.count = 5000, .insertions = 10}, {.count = 60});
+    expect_dynamic_tree_kept<TypeParam>(holds_snapshot, {.count = 8190, .insertions = 10},  // then a new page of places
+                                        {.count = 40, .insertions = 10});
     expect_dynamic_tree_kept<TypeParam>(holds_snapshot, {.count = 5000, .insertions = 10},
                                         {.count = 60, .layers = true});
     expect_dynamic_tree_kept<TypeParam>(holds_snapshot, {.count = 7400, .insertions = 10},

@@ -2,8 +2,8 @@
 /// dynamic/…: frames of bounds that come, go and move, by a dynamic tree, a new tree a frame, Bullet's tree and
 /// Boost's; and what queries cost after many such frames.
 ///
-/// A frame replaces one bound in a hundred (dynamic/S/frame), or ten (dynamic/S/ten), or none (dynamic/S/ten_moved), by
-/// bounds elsewhere, moves as many others, or ten, by a tenth of their size, and commits.
+/// A frame of dynamic/S/frame replaces one bound in a hundred by bounds elsewhere, moves as many others by a tenth of
+/// their size, and commits. dynamic/S/ten replaces ten and moves ten others; dynamic/S/ten_moved moves ten.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -56,7 +56,7 @@ class Crowd {
  public:
   explicit Crowd(std::size_t count) : boxes(small_boxes(count)), used_(count), random_(4200) {}
 
-  FrameChanges next(std::size_t replaced, std::size_t moved) {
+  FrameChanges next(FrameSize size) {
     const float scale = std::cbrt(1e6F / static_cast<float>(boxes.size()));
     FrameChanges frame;
     const auto unused = [&] {
@@ -69,13 +69,13 @@ class Crowd {
       }
     };
     ++frame_;
-    for (std::size_t c = 0; c != replaced; ++c) {
+    for (std::size_t c = 0; c != size.replaced; ++c) {
       frame.replaced.push_back(unused());
       frame.replaced_before.push_back(boxes[frame.replaced.back()]);
       frame.by.push_back(random_.box(0.005F * scale, 0.035F * scale));
       boxes[frame.replaced.back()] = frame.by.back();
     }
-    for (std::size_t c = 0; c != moved; ++c) {
+    for (std::size_t c = 0; c != size.moved; ++c) {
       frame.moved.push_back(unused());
       const float step = 0.002F * scale;
       frame.displacement.push_back(
@@ -144,7 +144,7 @@ void run_frames(benchmark::State& state, std::size_t count, FrameSize changes, c
   auto scene = make(crowd.boxes);
   for (auto _ : state) {
     state.PauseTiming();
-    const FrameChanges frame = crowd.next(changes.replaced, changes.moved);
+    const FrameChanges frame = crowd.next(changes);
     state.ResumeTiming();
     scene(crowd.boxes, frame);
     benchmark::ClobberMemory();
@@ -282,9 +282,9 @@ class AfterFrames {
     Scene(std::size_t count, std::size_t frames, bool streamed)
         : crowd(count), used(streamed ? std::span<const Box>() : std::span<const Box>(crowd.boxes)) {
       if (streamed) used.stream_in(crowd.boxes, count / 100 + 1);
-      for (std::size_t f = 0; f != frames && !streamed; ++f) used.make(crowd.next(count / 100, count / 100));
+      for (std::size_t f = 0; f != frames && !streamed; ++f) used.make(crowd.next({count / 100, count / 100}));
       fresh = BoxTree{std::span<const Box>(crowd.boxes)};
-      rebuilt = DynamicCrowd(crowd.boxes);
+      if (!streamed) rebuilt = DynamicCrowd(crowd.boxes);
     }
     Crowd crowd;
     DynamicCrowd used;
@@ -308,13 +308,14 @@ void declare_dynamic(Suite& suite, const Workload& /*workload*/) {
     const std::string name = "dynamic/" + size + "/";
     const FrameSize hundredth{count / 100, count / 100};
     const FrameSize ten{10, 10};
+    const FrameSize ten_moved{0, 10};
     add_frames(suite, name + "frame", count, hundredth, alone);
     add_frames(suite, name + "frame_two_threads", count, hundredth, two);
     add_frames(suite, name + "ten", count, ten, alone);
-    add_frames(suite, name + "ten_moved", count, {0, 10}, alone);
+    add_frames(suite, name + "ten_moved", count, ten_moved, alone);
     add_peers(suite, name + "frame", count, hundredth, alone);
     add_peers(suite, name + "ten", count, ten, alone);
-    add_peers(suite, name + "ten_moved", count, {0, 10}, alone);
+    add_peers(suite, name + "ten_moved", count, ten_moved, alone);
     suite.add(
         name + "new_tree", "",
         [count = count, hundredth](benchmark::State& state) {

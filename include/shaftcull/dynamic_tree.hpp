@@ -99,10 +99,11 @@ struct TreeUpkeep {
 ///
 /// *Errors.* A call that throws, std::bad_alloc included, leaves the tree, its changes and all snapshots as they were.
 ///
-/// *Memory.* Each bound takes its own size, about 24 bytes more, and another 4 if any bound is not in all layers. In
-/// trees of a few thousand bounds, and where sizes differ much, it is up to twice as much. Each change takes 32 to 64
-/// bytes, which are kept for the changes of the next commit. A tree holds at most 2²⁹ bounds. Moves are O(1) and leave
-/// an empty tree. A tree cannot be copied: copy its snapshots.
+/// *Memory.* Each bound takes its own size, about 24 bytes more, and another 4 if any bound is not in all layers. A
+/// tree of a few thousand bounds, or of bounds of very different sizes, takes up to twice as much, and a tree with any
+/// bound at least about 140 kB. A pending change takes 32 bytes, or 24 for a sphere. The memory for changes may be up
+/// to twice that. It is kept for the next commit, unless that has far fewer changes. A tree holds at most 2²⁹ bounds.
+/// Moves are O(1) and leave an empty tree. A tree cannot be copied: copy its snapshots.
 template <class Bound>
 class DynamicTree {
  public:

@@ -108,8 +108,9 @@ enum class PatchSides : std::uint8_t {
 };
 
 /// A set of patches, in a tree. A set holds copies of the boxes and planes; copies of the set share them. The first
-/// call adds about 9 bytes per patch, or 30 if patches are seen from both sides, which the set keeps for calls with the
-/// same tolerance. A set that was moved from has no patches.
+/// visibility call with a set that has planes adds about 9 bytes per patch, or 30 if patches are seen from both sides.
+/// The set keeps this memory. Calls in succession with the same tolerance, and the same largest coordinate of sets and
+/// occluders, use it again. A set that was moved from has no patches.
 class SHAFTCULL_EXPORT PatchSet {
  public:
   /// An empty set.

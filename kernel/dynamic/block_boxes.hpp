@@ -6,7 +6,6 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "dynamic/nearest.hpp"
@@ -18,16 +17,15 @@ namespace shaftcull::kernel {
 /// Boxes around blocks.
 class BlockBoxes {
  public:
-  /// Of the blocks of a state, whose nodes it refers to.
+  /// Boxes of the blocks of a state. Refers to the nodes of the state: not to be read after these are written.
   template <class Bound>
-  explicit BlockBoxes(const DynamicState<Bound>& state) {
+  explicit BlockBoxes(const DynamicState<Bound>& state) : size_(state.blocks.size()) {
     if (state.parts.levels > 2) {
       const BoxView nodes = state.parts.node_words(2, 0, bit_words(state.blocks.size()));
       for (std::size_t f = 0; f != 6; ++f) box_[f] = nodes.stream[f];
     } else {
       fit(state.blocks);
     }
-    size_ = state.blocks.size();
   }
   template <class Bound>
   explicit BlockBoxes(const Blocks<Bound>& blocks) : size_(blocks.size()) {
@@ -55,7 +53,7 @@ class BlockBoxes {
   [[nodiscard]] float measure_of_both(std::size_t a, std::size_t b) const noexcept {
     return measure_with(box_.data(), a, corners(b).corner);
   }
-  /// Whole words.
+  /// The boxes, in streams padded to whole words.
   [[nodiscard]] BoxView view() const noexcept {
     return {{box_[0], box_[1], box_[2], box_[3], box_[4], box_[5]}, size_};
   }
@@ -107,6 +105,9 @@ class BestBlock {
       grow_box(around_, b / fanout, boxes.corners(b).corner);
     }
   }
+
+  BestBlock(const BestBlock&) = delete;
+  BestBlock& operator=(const BestBlock&) = delete;
 
   /// The block that a bound suits best, if there is any for it: of those for large bounds or of the others. Of these,
   /// one in a group that holds it, and otherwise of the group that it suits best. One group would not do: blocks at its

@@ -21,8 +21,8 @@ namespace shaftcull::kernel {
 /// Fewer steps are made by one thread.
 inline constexpr std::size_t few_steps = 1024;
 
-/// Calls write(i) for each i below `count`: in tasks, and for what these leave where they cannot be started, in this
-/// thread. `is_written` has `count` zeros.
+/// Calls write(i) for each i below `count`, in tasks. If tasks cannot be started, this thread makes the calls that are
+/// left. `is_written` holds `count` zeros.
 template <class Write>
 void write_each(std::size_t count, bool in_tasks, std::vector<std::uint8_t>& is_written, Write&& write) noexcept {
   const auto write_one = [&](std::size_t i, std::size_t) {
@@ -43,6 +43,7 @@ void write_each(std::size_t count, bool in_tasks, std::vector<std::uint8_t>& is_
   for (std::size_t i = 0; i != count; ++i) write_one(i, 0);
 }
 
+/// Makes the changes of a plan, block by block.
 template <class Bound>
 class BlockWriter {
  public:
@@ -58,12 +59,9 @@ class BlockWriter {
       if (step.kind == BlockStep::erase) block.erase(step.leaf, changes_[step.change]);
     }
     if (plan_.walks_blocks()) {
-      std::uint64_t taken[block_words];
+      std::uint64_t taken[block_words];  // as they are now: bounds that go to another word are not visited again
       std::copy_n(leaves.taken, block_words, taken);
-      for_each_changed(leaves, taken, [&](std::size_t leaf, const Change<Bound>& change) {
-        // One that was here may have gone to another word, and one that comes may be in its place.
-        if (leaves.order()[leaf] == change.index) block.move(leaf, change);
-      });
+      for_each_changed(leaves, taken, [&](std::size_t leaf, const Change<Bound>& change) { block.move(leaf, change); });
     } else {
       constexpr std::size_t prefetched = 16;
       for (std::size_t i = 0; i != steps.size(); ++i) {
@@ -77,8 +75,9 @@ class BlockWriter {
     return block.finish();
   }
 
-  /// Calls use(leaf, change) for those of these leaves whose bounds have changes. Both are all over memory: slots are
-  /// prefetched two words ahead, and changes one. One at a time: of many at once, processors drop some.
+  /// Calls use(leaf, change) for each of these leaves whose bound has a change. Slots and changes are scattered in
+  /// memory, so slots are prefetched two words ahead, and changes one word ahead. Prefetches are spread over the loop:
+  /// processors drop some of many that come at once.
   template <class Use>
   void for_each_changed(const LeafBlock<Bound>& block, const std::uint64_t (&leaves)[block_words],
                         Use&& use) const noexcept {
@@ -96,7 +95,7 @@ class BlockWriter {
   }
 
  private:
-  /// Changes of a block are all over memory.
+  /// The changes of a block are scattered in memory.
   SHAFTCULL_ALWAYS_INLINE void prefetch_change(std::uint32_t number) const noexcept {
     const Change<Bound>& soon = changes_[number];
     prefetch_to_second_level(&soon, 1);

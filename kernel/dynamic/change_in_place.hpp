@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// A commit that changes some blocks of a state which nobody else has: the cost is that of these blocks.
+/// A commit that changes a few blocks of a state that nobody else has. Most of its cost is that of these blocks.
 #pragma once
 
 #include <algorithm>
@@ -16,20 +16,17 @@ namespace shaftcull::kernel {
 template <class Bound>
 class ChangeInPlace {
  public:
-  /// Whether a plan, which is complete, can be carried out in this way.
-  [[nodiscard]] static bool is_enough(const Shared<StateOf<Bound>>& state, const CommitPlan<Bound>& plan) noexcept {
-    return state.is_only() && plan.groups().empty() && !state->tables.row.empty();
+  /// Whether a complete plan can be carried out in place: the table of blocks stays as it is.
+  [[nodiscard]] static bool is_possible(const Shared<StateOf<Bound>>& state, const CommitPlan<Bound>& plan,
+                                        bool adds_layers) noexcept {
+    return state.is_only() && plan.groups().empty() && !adds_layers && !state->tables.row.empty();
   }
 
   /// Gets all memory. Throws std::bad_alloc, and then nothing has changed. Blocks and pages that other states share are
   /// copied.
-  ChangeInPlace(DynamicState<Bound>& state, const CommitPlan<Bound>& plan, const Changes<Bound>& changes,
-                const Kernels& kernels)
-      : state_(state),
-        plan_(plan),
-        index_end_(changes.slots.size()),
-        kernels_(kernels),
-        writer_(plan, changes, kernels) {
+  ChangeInPlace(DynamicState<Bound>& state, const CommitPlan<Bound>& plan, std::size_t index_end,
+                const BlockWriter<Bound>& writer, const Kernels& kernels)
+      : state_(state), plan_(plan), index_end_(index_end), writer_(writer), kernels_(kernels) {
     const std::size_t blocks = state.blocks.size();
     changed_.reserve(plan.walks_blocks() ? blocks : std::min(blocks, plan.steps().size()));
     for (std::size_t b = 0; b != blocks; ++b) {
@@ -43,10 +40,10 @@ class ChangeInPlace {
     const std::size_t pages = LeafBlocks::pages_for(index_end_);
     if (!state.owns_pages) {
       for (std::size_t i = 0; i != state.pages.size(); ++i) {
-        if (!state.pages[i].is_only()) copied_pages_.emplace_back(i, new PlacePage(*state.pages[i]));
+        if (!state.pages[i].is_only()) copied_pages_.push_back({i, Shared<PlacePage>(new PlacePage(*state.pages[i]))});
       }
     }
-    for (std::size_t i = state.pages.size(); i < pages; ++i) new_pages_.emplace_back(new PlacePage);
+    for (std::size_t i = state.pages.size(); i < pages; ++i) new_pages_.push_back(Shared<PlacePage>(new PlacePage));
     state.pages.reserve(pages);
     state.place.reserve(pages);
     state.parts.blocks.place = state.place.data();
@@ -80,7 +77,6 @@ class ChangeInPlace {
   struct CopiedPage {
     std::size_t number;
     Shared<PlacePage> page;
-    CopiedPage(std::size_t of, PlacePage* copy) noexcept : number(of), page(copy) {}
   };
 
   void put_copies() noexcept {
@@ -117,8 +113,8 @@ class ChangeInPlace {
   DynamicState<Bound>& state_;
   const CommitPlan<Bound>& plan_;
   std::size_t index_end_;
+  const BlockWriter<Bound>& writer_;
   const Kernels& kernels_;
-  BlockWriter<Bound> writer_;
   std::vector<Changed> changed_;
   std::vector<std::uint8_t> is_written_;
   std::vector<CopiedPage> copied_pages_;

@@ -40,8 +40,8 @@ class Commit {
   Shared<StateOf<Bound>> run() {
     if (everything_ || plan_.is_worth_sorting_all()) return sort_all();
     plan_.complete();
-    if (!adds_layers() && ChangeInPlace<Bound>::is_enough(old_, plan_)) {
-      ChangeInPlace<Bound>(*old_, plan_, changes_, kernels_).run();
+    if (ChangeInPlace<Bound>::is_possible(old_, plan_, adds_layers())) {
+      ChangeInPlace<Bound>(*old_, plan_, index_end(), writer_, kernels_).run();
       upkeep_ = spent_;
       return old_;
     }

@@ -94,8 +94,9 @@ class CommitPlan {
   /// Blocks that are sorted together because one of them has grown into others: from this share of it on.
   static constexpr std::size_t sorted_together = 4;
   static constexpr float much_shared = 0.75F;
-  /// Blocks of which a commit finds out how much they share with others.
+  /// Of how many blocks a commit finds out how much they share with others: it compares each with all.
   [[nodiscard]] std::size_t looked_at() const noexcept { return changes_.size() < few_changes ? 1 : 4; }
+  /// Commits of fewer changes look at one block.
   static constexpr std::size_t few_changes = 1024;
   /// Bounds that a commit may sort again whatever has changed, so that what waits is sorted in the end.
   static constexpr double in_any_case = 1024;
@@ -172,8 +173,8 @@ class CommitPlan {
 
   /// Finds a block for every bound that has none.
   void route() {
-    const std::size_t before = steps_.size();
     if (arrivals_.empty()) return;
+    const std::size_t before = steps_.size();
     steps_.resize(before + arrivals_.size());
     const BestBlock best_block(old_, boxes_);
     constexpr std::size_t in_task = 1024;

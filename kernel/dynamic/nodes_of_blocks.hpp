@@ -12,7 +12,7 @@
 
 namespace shaftcull::kernel {
 
-/// Copies those of the block at position p to level 1: the ones of all words, or of these.
+/// Copies the nodes of the block at position p to level 1: those of all its words, or of these.
 template <class Bound>
 void copy_nodes(TreeLevels<Bound>& parts, std::size_t p, const LeafBlock<Bound>& block,
                 std::uint64_t words = ~std::uint64_t{0}) noexcept {
@@ -32,7 +32,7 @@ void copy_nodes(TreeLevels<Bound>& parts, std::size_t p, const LeafBlock<Bound>&
   }
 }
 
-/// Finds all layers below entry i of level k, above level 1.
+/// Finds the layers of entry i of level k, which is at least 2.
 template <class Bound>
 void fit_layers_of_node(TreeLevels<Bound>& parts, std::size_t k, std::size_t i) noexcept {
   const std::uint32_t* const below = parts.layers.nodes.data() + parts.level[k - 1].first + i * fanout;
@@ -40,6 +40,7 @@ void fit_layers_of_node(TreeLevels<Bound>& parts, std::size_t k, std::size_t i) 
   all = 0;
   for (std::size_t j = 0; j != fanout; ++j) all |= below[j];
 }
+/// Finds the layers of all nodes above level 1.
 template <class Bound>
 void fit_upper_layers(TreeLevels<Bound>& parts) noexcept {
   for (std::size_t k = 2; k < parts.levels; ++k) {
@@ -47,7 +48,7 @@ void fit_upper_layers(TreeLevels<Bound>& parts) noexcept {
   }
 }
 
-/// Fits the node of level 2 that holds the block at position p, whose nodes level 1 has already.
+/// Fits the node of the block at position p, in level 2, to the block's nodes in level 1.
 template <class Bound>
 void fit_block_node(TreeLevels<Bound>& parts, const Kernels& kernels, std::size_t p,
                     const LeafBlock<Bound>& block) noexcept {

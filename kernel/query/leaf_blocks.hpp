@@ -10,8 +10,8 @@ namespace shaftcull::kernel {
 /// Leaves of a block: those below one word of nodes.
 inline constexpr std::size_t block_leaves = 4096;
 
-/// Where a leaf of a block is in the block's streams. These take turns: the rows of a word of 64 leaves follow each
-/// other, so that a word is in one or two pages of memory.
+/// The position of a leaf of a block in each of the block's streams. Streams are interleaved word by word: the rows of
+/// 64 leaves follow one another, so a word lies in one or two pages of memory.
 [[nodiscard]] constexpr std::size_t place_in_block(std::size_t leaf, std::size_t rows) noexcept {
   return leaf % block_leaves / 64 * 64 * rows + leaf % 64;
 }

@@ -92,7 +92,8 @@ struct DynamicState : Ownable {
   std::vector<std::uint32_t> number_of;          ///< of the block at each position
   std::vector<BlockSize> size_of;                ///< of the block at each position
   std::vector<Shared<PlacePage>> pages;
-  bool owns_pages = false;  ///< no other state has any of them
+  /// No earlier state has any of the pages. Not cleared when a later state shares them: only the last state is written.
+  bool owns_pages = false;
   std::size_t index_end = 0;
   std::size_t count = 0;  ///< bounds
   bool has_layers = false;

@@ -83,7 +83,7 @@ class LeafBlock : public Ownable {
   LeafBlock& operator=(const LeafBlock&) = delete;
   ~LeafBlock() = default;
 
-  /// Row r of the first word. Those of other words are at place_in_block().
+  /// Row r, from its first word on. place_in_block() finds a leaf in it.
   [[nodiscard]] const float* stream(std::size_t r) const noexcept { return memory_.get() + r * fanout; }
   [[nodiscard]] std::uint32_t* order() const noexcept { return order_.get(); }
   /// Null if all bounds are in all layers.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What is made when it is first asked for, and kept for those who ask again.
+/// Values that are made at first use, and kept for later calls.
 #pragma once
 
 #include <memory>
@@ -42,13 +42,14 @@ class MadeOnce {
   mutable Shared made_;
 };
 
-/// The same of things that depend on a key: the last one is kept.
+/// A value that depends on a key. The value for the last key is kept.
 template <class Key, class Made>
 class MadeForKey {
  public:
   using Shared = std::shared_ptr<const Made>;
 
-  /// What make() returns, which must depend on the key alone.
+  /// The value for a key: the kept one, or else the result of make(), which must depend on the key alone. Other threads
+  /// wait meanwhile. If make() throws, the kept value stays.
   template <class Make>
   [[nodiscard]] Shared of(const Key& key, const Make& make) const {
     const Lock lock(mutex_);

@@ -157,7 +157,7 @@ class PatchTree {
   float largest_coordinate_ = 0;
   bool has_both_sides_ = false;
   std::shared_ptr<MadeOnce<RayPatches>> ray_patches_;                ///< null if there are no patches
-  std::shared_ptr<MadeForKey<SightKey, SightPlanes>> sight_planes_;  ///< likewise
+  std::shared_ptr<MadeForKey<SightKey, SightPlanes>> sight_planes_;  ///< null if there are no patches
 };
 
 /// The corners of a box that differ.

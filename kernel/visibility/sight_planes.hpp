@@ -26,7 +26,7 @@ struct SightPlanes {
   PlaneLimits groups;
 };
 
-/// What they depend on beside the tree.
+/// The values that the planes depend on, besides the tree.
 struct SightKey {
   float tolerance = 0;
   float coordinate = 0;  ///< the largest magnitude in the job

@@ -16,8 +16,8 @@ struct SightSet {
   std::shared_ptr<const SightPlanes> planes;
 };
 
-/// The set, for points with coordinates of at most `coordinate`. Any floating-point modes. O(n), but O(1) if the tree
-/// was last asked for the same.
+/// The set, for points with coordinates of at most `coordinate`. Any floating-point modes. O(n); O(1) if the last call
+/// for this tree had the same tolerance and coordinate.
 [[nodiscard]] SightSet sight_set(const PatchTree& tree, float tolerance, float coordinate);
 
 }  // namespace shaftcull::kernel

@@ -144,7 +144,46 @@ TYPED_TEST(DynamicTrees, SnapshotsStayAsTheyAreWhereWordsAreSplit) {
   expect_equal(world.tree.committed(), world.model, world.random());
 }
 
+// Indices get a page of places with each 4,096 of them, also where a commit changes the last state.
+TYPED_TEST(DynamicTrees, AnswerForCandidatesOnANewPage) {
+  World<TypeParam> world(22);
+  world.change({.count = 4090, .insertions = 10});
+  world.tree.commit();
+  world.change({.count = 20, .insertions = 10});
+  world.tree.commit();
+  EXPECT_EQ(world.tree.upkeep().sorted_last, 0U);
+  ASSERT_GT(world.model.bounds.size(), 4096U);
+  expect_equal(world.tree.committed(), world.model, world.random());
+  const CompiledShaft all =
+      compile({{-1e6F, -1e6F, -1e6F}, {1e6F, 1e6F, 1e6F}}, {{-1e6F, -1e6F, -1e6F}, {1e6F, 1e6F, 1e6F}});
+  const Indices last{4095, 4096, 4109};
+  Indices kept;
+  list(all, world.tree, kept, {.only = last});
+  EXPECT_EQ(kept, last);
+}
+
 constexpr Box around{{-1, -1, -1}, {101, 101, 101}};
+
+// More than 128 blocks: nodes above those of blocks are fitted, too.
+TEST(DynamicBoxes, AreFoundWhereTheTreeHasFourLevels) {
+  DynamicBoxTree tree;
+  tree.set_upkeep(0);  // so that commits sort nothing, and change blocks in place
+  Random random(19);
+  std::vector<Box> boxes;
+  for (unsigned i = 0; i != 480000; ++i) boxes.push_back(random.box(0, 100, 0.01F, 0.02F));
+  std::vector<BoundId> ids(boxes.size());
+  tree.insert(boxes, ids);
+  tree.commit();
+  EXPECT_GT(tree.upkeep().blocks, 128U);
+  for (unsigned i = 0; i != 10; ++i) {
+    const float x = 200 + 10 * static_cast<float>(i);
+    const Box away{{x, 0, 0}, {x + 1, 1, 1}};
+    tree.move(ids[1000 * i], away);
+    tree.commit();
+    EXPECT_EQ(tree.upkeep().sorted_last, 0U);
+    EXPECT_EQ(count(compile(away, away), tree), 1U) << i;
+  }
+}
 
 TEST(DynamicBoxes, ThatAreEmptyAreInNoShaft) {
   DynamicBoxTree tree;

@@ -155,7 +155,7 @@ TEST(HullTriangles, RandomOnesAreAnsweredExactly) {
     found.only_exactly_outside += here.only_exactly_outside;
     if (HasFailure()) return;
   }
-  EXPECT_GT(found.kept, random_cases(60) * 3);  // a quarter, however few are tried: it is 0.4 of many
+  EXPECT_GT(found.kept, random_cases(60) * 3);  // a quarter of the 12 of each; 0.4 are kept of many
   EXPECT_GT(found.only_exactly_outside, random_cases(60));
 }
 

@@ -245,8 +245,8 @@ TEST(Visibility, IsOccludedInTheSeamOfTwoSolidsHoweverPatchesAreGrouped) {
   }
 }
 
-// What a set keeps from one call to the next belongs to the tolerance, and to how far coordinates reach.
-TEST(Visibility, OfASetThatWasAskedBeforeIsThatOfANewOne) {
+// The planes that a set keeps depend on the tolerance and on the largest coordinate.
+TEST(Visibility, OfAUsedSetIsThatOfANewOne) {
   constexpr Box far[] = {{{-1e6F, -1e6F, 9e5F}, {1e6F, 1e6F, 1e6F}}};
   Occluders elsewhere;
   elsewhere.add_boxes(std::span<const Box>(far));
