@@ -68,16 +68,22 @@ TYPED_TEST(DynamicTrees, SnapshotsStayAsTheyAre) {
   for (const auto& [snapshot, model] : before) expect_equal(snapshot, model, world.random());
 }
 
+/// A snapshot of a new world, with its model. The last state shares most blocks and pages with it.
+template <class Bound>
+std::pair<TreeSnapshot<Bound>, Model<Bound>> snapshot_that_shares_blocks(World<Bound>& world) {
+  world.change({.count = 20000, .insertions = 10});
+  world.tree.commit();
+  std::pair<TreeSnapshot<Bound>, Model<Bound>> kept(world.tree.snapshot(), world.model);
+  const BoundId some = world.model.ids.front();
+  world.tree.move(some, world.tree[some]);
+  world.tree.commit();
+  return kept;
+}
+
 // A commit beside a snapshot leaves most blocks and pages to both. The next commits write where nobody else is.
 TYPED_TEST(DynamicTrees, SnapshotsStayAsTheyAreWhereCommitsTouchFewBlocks) {
   World<TypeParam> world(15);
-  world.change({.count = 20000, .insertions = 10});
-  world.tree.commit();
-  const TreeSnapshot<TypeParam> snapshot = world.tree.snapshot();
-  const Model<TypeParam> model = world.model;
-  const BoundId some = model.ids.front();
-  world.tree.move(some, world.tree[some]);
-  world.tree.commit();
+  const auto [snapshot, model] = snapshot_that_shares_blocks(world);
   for (unsigned commit = 0; commit != 12; ++commit) {
     world.change({.count = 4});
     world.tree.commit();
@@ -89,13 +95,7 @@ TYPED_TEST(DynamicTrees, SnapshotsStayAsTheyAreWhereCommitsTouchFewBlocks) {
 // The same where the next commit sorts blocks again: too many bounds come to one place.
 TYPED_TEST(DynamicTrees, SnapshotsStayAsTheyAreWhereCommitsSortBlocksAgain) {
   World<TypeParam> world(21);
-  world.change({.count = 20000, .insertions = 10});
-  world.tree.commit();
-  const TreeSnapshot<TypeParam> snapshot = world.tree.snapshot();
-  const Model<TypeParam> model = world.model;
-  const BoundId some = model.ids.front();
-  world.tree.move(some, world.tree[some]);
-  world.tree.commit();
+  const auto [snapshot, model] = snapshot_that_shares_blocks(world);
   const TypeParam bound = model.bounds.front();
   for (unsigned i = 0; i != 4000; ++i) world.model.insert(world.tree.insert(bound), bound, all_layers);
   world.change({.count = 400, .insertions = 0});
