@@ -18,9 +18,6 @@
 
 namespace shaftcull::kernel {
 
-/// Fewer steps are made by one thread.
-inline constexpr std::size_t few_steps = 1024;
-
 /// Calls write(i) for each i below `count`, in tasks. If tasks cannot be started, this thread makes the calls that are
 /// left. `is_written` holds `count` zeros.
 template <class Write>
@@ -50,6 +47,12 @@ class BlockWriter {
   /// Refers to all arguments.
   BlockWriter(const CommitPlan<Bound>& plan, const Changes<Bound>& changes, const Kernels& kernels) noexcept
       : plan_(plan), changes_(changes.all), slots_(changes.slots), kernels_(kernels) {}
+
+  /// Whether there is so much to write that tasks share it.
+  [[nodiscard]] bool is_worth_tasks() const noexcept {
+    constexpr std::size_t few_steps = 1024;
+    return plan_.steps().size() >= few_steps || plan_.walks_blocks();
+  }
 
   /// Makes the changes of the block that is at position `from`. Returns the words that were written, as bits.
   std::uint64_t write(LeafBlock<Bound>& leaves, std::size_t from, const PlaceWriter& places) const noexcept {

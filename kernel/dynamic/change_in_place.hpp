@@ -51,12 +51,11 @@ class ChangeInPlace {
 
   void run() noexcept {
     put_copies();
-    write_each(changed_.size(), plan_.steps().size() >= few_steps || plan_.walks_blocks(), is_written_,
-               [this](std::size_t i) {
-                 const std::size_t p = changed_[i].position;
-                 const PlaceWriter places(state_.place.data(), state_.number_of[p]);
-                 changed_[i].words = writer_.write(*state_.blocks[p], p, places);
-               });
+    write_each(changed_.size(), writer_.is_worth_tasks(), is_written_, [this](std::size_t i) {
+      const std::size_t p = changed_[i].position;
+      const PlaceWriter places(state_.place.data(), state_.number_of[p]);
+      changed_[i].words = writer_.write(*state_.blocks[p], p, places);
+    });
     state_.index_end = index_end_;
     state_.count = plan_.count();
     for (const Changed& changed : changed_) {

@@ -291,7 +291,7 @@ class Commit {
     for (const SortedGroup& group : plan_.groups()) {
       for (const std::uint32_t b : group.blocks) clear_places(plan_.steps_of(b));
     }
-    const bool in_tasks = plan_.steps().size() >= few_steps || !plan_.groups().empty() || plan_.walks_blocks();
+    const bool in_tasks = writer_.is_worth_tasks() || !plan_.groups().empty();
     write_each(table_.size(), in_tasks, is_written_, [this](std::size_t p) {
       const PlaceWriter places(places_.data(), table_[p].number);
       if (table_[p].is_new()) {
