@@ -53,9 +53,7 @@ class QuadCity {
       add({at(column) / 2 - 5, at(row) / 2 - 5, 0}, {15, 0, 0}, {0, 15, 0});
     }
     patches_ = PatchSet(corners_, first_);
-    const TriangleStream stream(triangles_);
-    occluders_.add_triangles(stream.view());
-    occluders_.add_found(find_solids(stream.view()));
+    occluders_.add_mesh(TriangleStream(triangles_).view(), {.region = patches_.box()});
     benchmark::DoNotOptimize(
         view_factors(PatchSet(std::span(corners_).first(4), std::span(first_).first(2)), occluders_));
   }

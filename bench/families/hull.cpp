@@ -155,7 +155,7 @@ void declare_hull(Suite& suite, const Workload& workload) {
     suite.add_target("hull/frustum/boxes/" + set, "hull/array_of_structs/boxes", 2.5);
 
     const auto add_list = [&](const char* what, auto hull_of) {
-      const std::string row = fmt::format("hull/{}/list/{}", what, set);
+      std::string row = fmt::format("hull/{}/list/{}", what, set);
       suite.add(row, "", [=](benchmark::State& state) {
         select_isa(isa);
         if (!scene) scene = std::make_unique<Scene>();

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "shaftcull/geometry.hpp"
 #include "sights.hpp"
 #include "sources.hpp"
 #include "status.hpp"
@@ -265,10 +266,14 @@ shaftcull_status shaftcull_occluders_add_triangles(shaftcull_occluders* occluder
 }
 
 shaftcull_status shaftcull_occluders_find_solids(shaftcull_occluders* occluders, const shaftcull_source* triangles,
-                                                 float least_width, uint32_t bodies, shaftcull_found_solids* found) {
+                                                 float least_width, uint32_t bodies, const shaftcull_patches* a,
+                                                 const shaftcull_patches* b, shaftcull_found_solids* found) {
   return guarded([&] {
     Occluders& all = given(occluders, "occluders").all;
-    const shaftcull::SolidSearch search{.least_width = least_width, .bodies = as_bool(bodies, "bodies")};
+    shaftcull::SolidSearch search{.least_width = least_width, .bodies = as_bool(bodies, "bodies")};
+    if (a != nullptr || b != nullptr) {
+      search.region = shaftcull::joined(given(a, "a").set.box(), (b == nullptr ? a : b)->set.box());
+    }
     use_triangles(triangles, [&](const shaftcull::TriangleView& view) {
       const shaftcull::FoundSolids solids = shaftcull::find_solids(view, search);
       all.add_found(solids);

@@ -59,11 +59,11 @@ command_tidy() {
   if [[ $# -eq 0 || $1 == --changed ]]; then
     mapfile -t sources < <(grep -o '"file": "[^"]*"' "$root/build/tidy/compile_commands.json" | cut -d '"' -f 4 |
       grep -v "^$root/build/" | sort -u)
+    # Following all paths through a source takes three times as long as everything else that is looked for, so that is left to
+    # sources that are named.
+    for word in -Xclang -analyzer-config -Xclang mode=shallow; do how+=("--extra-arg=$word"); done
   fi
   if [[ ${1:-} == --changed ]]; then
-    # Following all paths through a source takes three times as long as everything else that is looked for, so that is left to
-    # runs by hand.
-    for word in -Xclang -analyzer-config -Xclang mode=shallow; do how+=("--extra-arg=$word"); done
     base=$(git -C "$root" merge-base HEAD origin/HEAD 2>/dev/null || true)
     if [[ -z $base || $base == $(git -C "$root" rev-parse HEAD) ]]; then base=HEAD~1; fi
     changed=$(cd "$root" && git diff --relative --name-only --diff-filter=d "$base" -- '*.cpp' 2>/dev/null) ||

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -60,13 +62,21 @@ struct SolidSearch {
   /// Whether closed surfaces are the surfaces of bodies. Set it to false if patches see on both sides, or if triangles
   /// have no reliable orientation: then only polygons are found.
   bool bodies = true;
+  /// The box in which all patches lie. Bodies may be open on or beyond one of its faces, as buildings without a bottom
+  /// are on level ground. What is found is proven for segments within the region. By default, patches may lie anywhere,
+  /// and bodies must be closed. See PatchSet::box().
+  Box region{{-unbounded, -unbounded, -unbounded}, {unbounded, unbounded, unbounded}};
+
+  static constexpr float unbounded = std::numeric_limits<float>::infinity();  ///< where a region has no end
 };
 
 /// Finds the solids that the triangles of a mesh form, so that the caller need not mark which objects are solid.
 /// Vertices at the same position are one vertex, so a mesh may be one object or many, with shared vertices or without.
 ///
 /// A *part* is a set of triangles that are connected across edges. A part is *closed* if each of its edges has a
-/// triangle on both sides, and both run along it in opposite directions.
+/// triangle on both sides, and both run along it in opposite directions. Edges on or beyond a face of
+/// SolidSearch::region need none, if it is one face for the whole part. Triangles on or beyond the face on which most
+/// triangles stand, usually the ground, hide nothing within the region: they connect no parts, and are not found.
 ///
 /// * A closed part whose faces look outwards is the surface of a body of matter. If it is convex, it is found as a hull
 ///   with all of its corners, or 256 of them. Corners of a turned body are rounded, so few such bodies are exactly
@@ -79,10 +89,10 @@ struct SolidSearch {
 ///   that polygon. If they form another polygon, it is cut into convex ones. Neighbours that lie in one plane only up
 ///   to rounding are joined in pairs. A triangle that is not joined is a polygon as well.
 ///
-/// Everything found is proven in exact arithmetic, whatever the triangles are. A segment that passes through a found
-/// polygon from one side to the other passes through a triangle. So does a segment that passes through the interior of
-/// a found hull or box and begins or ends outside the part. Triangles without area, slivers, duplicates and T-junctions
-/// can keep a part from being closed, and then fewer solids are found.
+/// Everything found is proven in exact arithmetic, whatever the triangles are. A segment within the region that passes
+/// through a found polygon from one side to the other passes through a triangle. So does a segment that passes through
+/// the interior of a found hull or box and begins or ends outside the part. Triangles without area, slivers, duplicates
+/// and T-junctions can keep a part from being closed, and then fewer solids are found.
 ///
 /// The result is the same on every machine for the same triangles in the same order. O(n log n): about 0.3 s for
 /// 100,000 triangles. Allocates about 500 bytes per triangle while it runs. Throws BadBound, with the position, for a
@@ -90,5 +100,19 @@ struct SolidSearch {
 /// options out of range. Throws std::bad_alloc if memory runs out.
 [[nodiscard]] SHAFTCULL_EXPORT FoundSolids find_solids(const TriangleView& triangles, const SolidSearch& search = {});
 [[nodiscard]] SHAFTCULL_EXPORT FoundSolids find_solids(const MeshView& mesh, const SolidSearch& search = {});
+
+/// Bodies that are upright boxes, and the triangles that lie in them.
+struct FoundBoxes {
+  static constexpr std::uint32_t none = 0xFFFFFFFF;  ///< of a triangle that lies in no box
+  std::vector<Box> boxes;                            ///< all of them, in the order of the bodies
+  /// Of each triangle, the position of a box that contains it, or `none`.
+  std::vector<std::uint32_t> box_of_triangle;
+};
+
+/// Moves bodies that are upright boxes out of solids that find_solids() found in these triangles. Such a box can stand
+/// for all triangles that lie in it, and is compared faster than these, also by rays: so does Occluders::add_mesh()
+/// (visibility.hpp). O(n log n); allocates. Throws InvalidArgument for null streams, and std::bad_alloc if memory runs
+/// out; then `found` is as it was.
+[[nodiscard]] SHAFTCULL_EXPORT FoundBoxes take_boxes(FoundSolids& found, const TriangleView& triangles);
 
 }  // namespace shaftcull

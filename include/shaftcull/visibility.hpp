@@ -138,6 +138,8 @@ class SHAFTCULL_EXPORT PatchSet {
   [[nodiscard]] bool has_planes() const noexcept;
   /// The patches in tree order: a permutation of 0 … size() − 1. A PatchRun is a part of it.
   [[nodiscard]] std::span<const std::uint32_t> order() const noexcept;
+  /// The box around all patches; the empty box if there are none. O(1).
+  [[nodiscard]] Box box() const noexcept;
 
   /// For the library itself: the type is not part of the interface.
   [[nodiscard]] const kernel::PatchTree& tree() const noexcept;
@@ -193,12 +195,18 @@ class SHAFTCULL_EXPORT Occluders {
   /// Found solids make pairs `occluded`, as hulls, polygons and solids do, but they are not occluders: they have no
   /// numbers, and do not keep a pair from being `clear`.
   void add_found(const FoundSolids& found);
+  /// Adds a mesh: its triangles in groups, as add_triangles() forms them, and the solids found in them. Bodies that are
+  /// upright boxes become solid boxes, in place of the triangles that lie in them (take_boxes()). The groups come
+  /// first, then the boxes. triangles() has those of groups, by their positions in the view. Errors and cost are those
+  /// of find_solids() and add_triangles().
+  std::size_t add_mesh(const TriangleView& triangles, const SolidSearch& search = {});
 
   /// The number of occluders.
   [[nodiscard]] std::size_t size() const noexcept;
   /// The box around occluder i, which is below size().
   [[nodiscard]] Box box(std::size_t i) const noexcept;
-  /// The triangles of occluder i, by their positions in the view given to add_triangles(); empty for other occluders.
+  /// The triangles of occluder i, by their positions in the view given to add_triangles() or add_mesh(); empty for
+  /// other occluders.
   [[nodiscard]] std::span<const std::uint32_t> triangles(std::size_t i) const noexcept;
 
   /// For the library itself: the type is not part of the interface.

@@ -61,6 +61,11 @@ std::vector<Vec3> corners_of(const WeldedMesh& mesh, const WeldedMesh::Part& par
     if (normal == Direction{}) continue;
     for (std::uint32_t edge = 3 * triangle; edge != 3 * triangle + 3; ++edge) {
       normals.emplace_back(mesh.vertex(edge), normal);
+      if (part.open_at && part.open_at->excludes(mesh.start(edge))) {
+        Direction outwards{};
+        outwards[part.open_at->axis] = part.open_at->is_hi ? 1 : -1;
+        normals.emplace_back(mesh.vertex(edge), outwards);
+      }
     }
   }
   std::sort(normals.begin(), normals.end());
@@ -174,18 +179,23 @@ std::optional<std::vector<Vec3>> convex_body(const WeldedMesh& mesh, const Welde
 }
 
 std::optional<int> winding(const WeldedMesh& mesh, const WeldedMesh::Part& part, const Vec3& point) {
+  if (part.open_at && part.open_at->excludes(point)) return std::nullopt;
   for (std::size_t k = 0; k != 3; ++k) {
     if (point[k] < part.box.lo[k] || point[k] > part.box.hi[k]) return 0;
   }
-  // Lines aslant, so that they seldom meet an edge.
+  // Lines aslant, so that they seldom meet an edge; and away from the open side, so that they do not pass through that.
+  const unsigned axis = part.open_at ? part.open_at->axis : 0;
+  const bool is_up = !part.open_at || !part.open_at->is_hi;
+  const float from_end = is_up ? part.box.hi[axis] - point[axis] : point[axis] - part.box.lo[axis];
+  const float way = 2 * from_end + 1e-3F * (part.box.hi[axis] - part.box.lo[axis]);
   constexpr std::array<std::array<float, 2>, 4> slopes{
       {{0.0137F, 0.00731F}, {-0.0291F, 0.0173F}, {0.0613F, -0.0437F}, {-0.1171F, -0.0893F}}};
-  for (const auto& [of_y, of_z] : slopes) {
-    const float way = 2 * (part.box.hi[0] - point[0]) + 1e-3F * (part.box.hi[0] - part.box.lo[0]);
-    const Vec3 end{point[0] + way, point[1] + of_y * way, point[2] + of_z * way};
-    if (!(end[0] > part.box.hi[0]) || !std::isfinite(end[0]) || !std::isfinite(end[1]) || !std::isfinite(end[2])) {
-      return std::nullopt;
-    }
+  for (const auto& slope : slopes) {
+    Vec3 end = point;
+    end[axis] += is_up ? way : -way;
+    for (unsigned i = 0; i != 2; ++i) end[(axis + 1 + i) % 3] += slope[i] * way;
+    const bool is_beyond = is_up ? end[axis] > part.box.hi[axis] : end[axis] < part.box.lo[axis];
+    if (!is_beyond || !std::isfinite(end[0]) || !std::isfinite(end[1]) || !std::isfinite(end[2])) return std::nullopt;
     std::optional<int> turns = 0;
     for (std::uint32_t triangle = part.first; triangle != part.end && turns; ++triangle) {
       const std::optional<int> crossed = crossing(mesh, triangle, point, end);

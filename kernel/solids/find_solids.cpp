@@ -62,7 +62,7 @@ double width(std::span<const Vec3> polygon) {
 class Search {
  public:
   Search(const TriangleView& triangles, const SolidSearch& search)
-      : search_(search), mesh_(triangles), is_shell_(mesh_.parts().size(), false) {
+      : search_(search), mesh_(triangles, search.region), is_shell_(mesh_.parts().size(), false) {
     if (search.bodies) is_shell_ = kernel::shells(mesh_);
   }
 
@@ -122,6 +122,10 @@ FoundSolids find(const TriangleStream& triangles, const SolidSearch& search) {
     if (!(search.least_width >= 0)) {
       kernel::fail(InvalidArgument("SolidSearch::least_width is " + kernel::text(search.least_width) +
                                    "; it must be 0 or more"));
+    }
+    for (std::size_t k = 0; k != 3; ++k) {
+      if (!std::isnan(search.region.lo[k]) && !std::isnan(search.region.hi[k])) continue;
+      kernel::fail(InvalidArgument("SolidSearch::region has NaN on axis " + std::to_string(k)));
     }
     return Search(triangles, search).run();
   });

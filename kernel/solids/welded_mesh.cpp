@@ -38,7 +38,16 @@ double turn_behind(const Vec3& start, const Vec3& end, const Vec3& far_first, co
 
 }  // namespace
 
-WeldedMesh::WeldedMesh(const TriangleView& triangles) {
+std::vector<RegionFace> faces_of(const Box& region) {
+  std::vector<RegionFace> faces;
+  for (unsigned axis = 0; axis != 3; ++axis) {
+    faces.push_back({axis, false, region.lo[axis]});
+    faces.push_back({axis, true, region.hi[axis]});
+  }
+  return faces;
+}
+
+WeldedMesh::WeldedMesh(const TriangleView& triangles, const Box& region) {
   const std::vector<std::uint32_t> vertices = weld(triangles);
   corner_.reserve(triangles.count);
   for (std::size_t t = 0; t != triangles.count; ++t) {
@@ -49,8 +58,9 @@ WeldedMesh::WeldedMesh(const TriangleView& triangles) {
   }
   std::sort(corner_.begin(), corner_.end());
   corner_.erase(std::unique(corner_.begin(), corner_.end()), corner_.end());
+  leave_out_ground(region);
   connect();
-  sort_into_parts();
+  sort_into_parts(region);
 }
 
 /// Numbers the positions. Returns the number of each vertex of each triangle.
@@ -76,6 +86,24 @@ std::vector<std::uint32_t> WeldedMesh::weld(const TriangleView& triangles) {
     numbers[vertex.vertex] = static_cast<std::uint32_t>(position_.size() - 1);
   }
   return numbers;
+}
+
+/// Leaves out triangles on or beyond the face of the region on which most triangles stand.
+void WeldedMesh::leave_out_ground(const Box& region) {
+  const auto excluded = [&](const RegionFace& face, const std::array<std::uint32_t, 3>& corner) {
+    return std::count_if(corner.begin(), corner.end(),
+                         [&](std::uint32_t vertex) { return face.excludes(position_[vertex]); });
+  };
+  std::optional<RegionFace> ground;
+  std::ptrdiff_t most = 0;
+  for (const RegionFace& face : faces_of(region)) {
+    const auto standing =
+        std::count_if(corner_.begin(), corner_.end(), [&](const auto& corner) { return excluded(face, corner) == 2; });
+    if (standing <= most) continue;
+    most = standing;
+    ground = face;
+  }
+  if (ground) std::erase_if(corner_, [&](const auto& corner) { return excluded(*ground, corner) == 3; });
 }
 
 /// Finds the edge across each edge.
@@ -124,14 +152,15 @@ void WeldedMesh::pair_crowded(std::span<const std::uint32_t> edges) {
 }
 
 /// Sorts the triangles by parts.
-void WeldedMesh::sort_into_parts() {
+void WeldedMesh::sort_into_parts(const Box& region) {
   const std::size_t count = corner_.size();
   std::vector<std::uint32_t> order;  // new order of the triangles
   std::vector<std::uint32_t> place(count, none);
   order.reserve(count);
   for (std::uint32_t seed = 0; seed != count; ++seed) {
     if (place[seed] != none) continue;
-    Part part{static_cast<std::uint32_t>(order.size()), 0, {start(3 * seed), start(3 * seed)}, true};
+    Part part{static_cast<std::uint32_t>(order.size()), 0, {start(3 * seed), start(3 * seed)}, true, std::nullopt};
+    std::vector<RegionFace> open_at = faces_of(region);  // those beyond which all edges are that have none across
     place[seed] = part.first;
     order.push_back(seed);
     for (std::size_t at = part.first; at != order.size(); ++at) {
@@ -141,13 +170,22 @@ void WeldedMesh::sort_into_parts() {
           part.box.hi[k] = std::max(part.box.hi[k], start(edge)[k]);
         }
         const std::uint32_t other = across_[edge];
-        part.is_closed &= other != none;
+        if (other == none) {
+          part.is_closed = false;
+          std::erase_if(open_at, [&](const RegionFace& face) {
+            return !face.excludes(start(edge)) || !face.excludes(start(next(edge)));
+          });
+        }
         if (other == none || place[other / 3] != none) continue;
         place[other / 3] = static_cast<std::uint32_t>(order.size());
         order.push_back(other / 3);
       }
     }
     part.end = static_cast<std::uint32_t>(order.size());
+    if (!part.is_closed && !open_at.empty()) {
+      part.is_closed = true;
+      part.open_at = open_at.front();
+    }
     parts_.push_back(part);
   }
   std::vector<std::array<std::uint32_t, 3>> corner(count);

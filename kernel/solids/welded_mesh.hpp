@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,21 @@
 #include "shaftcull/triangles.hpp"
 
 namespace shaftcull::kernel {
+
+/// A face of the region in which all patches lie.
+struct RegionFace {
+  unsigned axis;
+  bool is_hi;
+  float coordinate;
+
+  /// Whether a point is on the face or beyond it.
+  [[nodiscard]] bool excludes(const Vec3& point) const noexcept {
+    return is_hi ? point[axis] >= coordinate : point[axis] <= coordinate;
+  }
+};
+
+/// All six.
+[[nodiscard]] std::vector<RegionFace> faces_of(const Box& region);
 
 /// Triangle t has the edges 3 t, 3 t + 1 and 3 t + 2: edge 3 t + i leads from its vertex i to the next one.
 class WeldedMesh {
@@ -25,12 +41,17 @@ class WeldedMesh {
     std::uint32_t first;
     std::uint32_t end;
     Box box;
-    bool is_closed;  ///< every edge has another one across: the part is the boundary of a region
+    /// Whether every edge has another one across, or lies on or beyond one face of the region. Then the part, with
+    /// something beyond that face, is the boundary of a solid.
+    bool is_closed;
+    std::optional<RegionFace> open_at;  ///< that face, if the part has such edges
   };
 
   /// Welds vertices at the same position, −0 and 0 being the same. Leaves out triangles that repeat a vertex, and those
-  /// that repeat a triangle. All coordinates are finite, and there are fewer than 2³⁰ triangles. O(n log n).
-  explicit WeldedMesh(const TriangleView& triangles);
+  /// that repeat a triangle. Where parts stand on a face of the region, triangles on or beyond the face on which most
+  /// of them stand are left out, too: segments within the region do not pass through them. All coordinates are finite,
+  /// and there are fewer than 2³⁰ triangles. O(n log n).
+  WeldedMesh(const TriangleView& triangles, const Box& region);
 
   [[nodiscard]] std::span<const Part> parts() const noexcept { return parts_; }
   [[nodiscard]] std::size_t edges() const noexcept { return 3 * corner_.size(); }
@@ -49,9 +70,10 @@ class WeldedMesh {
 
  private:
   std::vector<std::uint32_t> weld(const TriangleView& triangles);
+  void leave_out_ground(const Box& region);
   void connect();
   void pair_crowded(std::span<const std::uint32_t> edges);
-  void sort_into_parts();
+  void sort_into_parts(const Box& region);
 
   std::vector<Vec3> position_;
   std::vector<std::array<std::uint32_t, 3>> corner_;  ///< of each triangle, in the order of the parts

@@ -2,175 +2,25 @@
 #include "visibility/occluders.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+#include <numeric>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
-#include "exact/polygon_cone.hpp"
-#include "shaftcull/hull.hpp"
 #include "shaftcull/solids.hpp"
+#include "shaftcull/triangles.hpp"
 #include "shaftcull/visibility.hpp"
-#include "solids/bodies.hpp"
 #include "support/arguments.hpp"
 #include "support/fail.hpp"
 #include "support/float_environment.hpp"
 #include "visibility/corner_lists.hpp"
+#include "visibility/occluder_addition.hpp"
 #include "visibility/triangle_groups.hpp"
 
 namespace shaftcull {
 namespace {
-
-/// Grows by points.
-struct PointBox {
-  Box box{{std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity(),
-           std::numeric_limits<float>::infinity()},
-          {-std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(),
-           -std::numeric_limits<float>::infinity()}};
-
-  void add(const Vec3& point) noexcept {
-    for (std::size_t k = 0; k != 3; ++k) {
-      box.lo[k] = std::min(box.lo[k], point[k]);
-      box.hi[k] = std::max(box.hi[k], point[k]);
-    }
-  }
-};
-
-/// What is added; nothing of it stays unless it is kept at the end.
-class Addition {
- public:
-  explicit Addition(kernel::OccluderData& data)
-      : data_(data),
-        size_(data.size()),
-        points_(data.points.size()),
-        triangles_(data.triangles.size()),
-        solids_(data.solids.size()),
-        inner_boxes_(data.inner_boxes.size()),
-        hulls_(data.hulls.size()),
-        polygons_(data.polygons.size()),
-        polygon_corners_(data.polygon_corners.size()),
-        largest_coordinate_(data.largest_coordinate),
-        had_parts_(data.have_parts) {}
-  Addition(const Addition&) = delete;
-  Addition& operator=(const Addition&) = delete;
-  ~Addition() {
-    if (is_kept_) return;
-    shorten(data_.boxes, size_);
-    shorten(data_.first_point, size_ + 1);
-    shorten(data_.first_triangle, size_ + 1);
-    shorten(data_.points, points_);
-    shorten(data_.kinds, size_);
-    shorten(data_.triangles, triangles_);
-    shorten(data_.triangle_boxes, triangles_);
-    shorten(data_.triangle_vertices, triangles_);
-    shorten(data_.solids, solids_);
-    shorten(data_.inner_boxes, inner_boxes_);
-    shorten(data_.hulls, hulls_);
-    shorten(data_.hull_boxes, hulls_);
-    shorten(data_.polygons, polygons_);
-    shorten(data_.polygon_is_flat, polygons_);
-    shorten(data_.polygon_corners, polygon_corners_);
-    shorten(data_.first_polygon_corner, polygons_ + 1);
-    data_.largest_coordinate = largest_coordinate_;
-    data_.have_parts = had_parts_;
-  }
-
-  /// An occluder; its points and triangles were added before.
-  void add(const Box& box, kernel::OccluderKind kind) {
-    if (data_.boxes.size() == std::numeric_limits<std::uint32_t>::max()) {
-      kernel::fail(InvalidArgument("there are 2^32 - 1 occluders already; no more can be numbered"));
-    }
-    data_.boxes.push_back(row_of(box));
-    data_.first_point.push_back(data_.points.size());
-    data_.first_triangle.push_back(data_.triangles.size());
-    data_.kinds.push_back(kind);
-    data_.have_parts = data_.have_parts || data_.parts_of(data_.size() - 1) != 0;
-  }
-  void add_point(const Vec3& point) { data_.points.push_back(point); }
-  void add_points(std::span<const Vec3> points) {
-    data_.points.insert(data_.points.end(), points.begin(), points.end());
-  }
-  void add_triangle(std::uint32_t number, const Triangle& triangle) {
-    PointBox around;
-    for (const Vec3& vertex : triangle.vertex) around.add(vertex);
-    data_.triangles.push_back(number);
-    data_.triangle_boxes.push_back(row_of(around.box));
-    data_.triangle_vertices.push_back(triangle.vertex);
-  }
-  /// A polygon that makes pairs occluded; it may be an occluder or not.
-  void add_polygon(const Box& box, std::span<const Vec3> corners) {
-    if (data_.polygons.size() == std::numeric_limits<std::uint32_t>::max()) {
-      kernel::fail(InvalidArgument("there are 2^32 - 1 polygons already; no more can be numbered"));
-    }
-    data_.polygons.push_back(row_of(box));
-    data_.polygon_is_flat.push_back(kernel::is_flat(corners) ? 1 : 0);
-    data_.polygon_corners.insert(data_.polygon_corners.end(), corners.begin(), corners.end());
-    data_.first_polygon_corner.push_back(data_.polygon_corners.size());
-  }
-  /// A solid box, likewise.
-  void add_solid(const Box& solid) {
-    note(solid);
-    data_.solids.push_back(solid);
-  }
-  /// A box inside a solid that has other faces, likewise.
-  void add_inner_box(const Box& box) {
-    note(box);
-    data_.inner_boxes.push_back(box);
-  }
-  /// A solid hull, likewise, and the box inside it: this may be a part of a larger box, and hides whole groups quickly.
-  void add_solid_hull(const Box& around, std::span<const Vec3> corners) {
-    const Box inside = inscribed_box(kernel::spread_points(corners, ConvexHull::max_vertices));
-    if (inside == around) return add_solid(inside);
-    add_inner_box(inside);
-    kernel::HullMesh mesh(corners);
-    if (!mesh.has_interior()) return;
-    data_.hulls.push_back(std::move(mesh));
-    data_.hull_boxes.push_back(row_of(around));
-  }
-
-  /// Returns the number of the first one that was added.
-  std::size_t keep() noexcept {
-    is_kept_ = true;
-    const bool has_hulls = data_.hulls.size() != hulls_;
-    const bool has_solids = has_hulls || data_.solids.size() != solids_;
-    if (has_solids) data_.surface_rows.forget();
-    if (has_solids || data_.inner_boxes.size() != inner_boxes_) data_.solid_rows.forget();
-    if (data_.size() != size_) {
-      data_.clumps.forget();
-      data_.ray_shapes.forget();
-    }
-    if (data_.polygons.size() != polygons_) data_.polygon_clumps.forget();
-    return size_;
-  }
-
- private:
-  void note(const Box& box) noexcept {
-    for (const Vec3* corner : {&box.lo, &box.hi}) {
-      for (const float x : *corner) data_.largest_coordinate = std::max(data_.largest_coordinate, std::fabs(x));
-    }
-  }
-  kernel::BoxRow row_of(const Box& box) noexcept {
-    note(box);
-    return {{box.lo[0], box.lo[1], box.lo[2], box.hi[0], box.hi[1], box.hi[2], 0, 0}};
-  }
-  template <class T>
-  static void shorten(std::vector<T>& list, std::size_t size) noexcept {
-    if (size < list.size()) list.erase(list.begin() + static_cast<std::ptrdiff_t>(size), list.end());
-  }
-
-  kernel::OccluderData& data_;
-  std::size_t size_;
-  std::size_t points_;
-  std::size_t triangles_;
-  std::size_t solids_;
-  std::size_t inner_boxes_;
-  std::size_t hulls_;
-  std::size_t polygons_;
-  std::size_t polygon_corners_;
-  float largest_coordinate_;
-  bool had_parts_;
-  bool is_kept_ = false;
-};
 
 /// The boxes of a view, all of which are usable.
 std::vector<Box> usable_boxes(const BoxView& view, const char* noun) {
@@ -196,7 +46,7 @@ void add_parts(std::span<const Vec3> corners, std::span<const std::size_t> first
   kernel::require_corner_lists(corners, first, noun, fewest, most);
   for (std::size_t i = 0; i + 1 < first.size(); ++i) {
     const std::span<const Vec3> part = corners.subspan(first[i], first[i + 1] - first[i]);
-    PointBox around;
+    kernel::PointBox around;
     for (const Vec3& corner : part) {
       around.add(corner);
     }
@@ -217,6 +67,53 @@ void put_extremes_first(std::vector<Vec3>& vertices) {
         if (farthest >= vertices.begin() + static_cast<std::ptrdiff_t>(put)) std::swap(vertices[put++], *farthest);
       }
     }
+  }
+}
+
+void add_found_solids(kernel::OccluderAddition& addition, const FoundSolids& found) {
+  add_parts(found.hull_corners, found.first_hull_corner, "hull", 4, kernel::any_number,
+            [&](const Box& box, std::span<const Vec3> hull) { addition.add_solid_hull(box, hull); });
+  add_parts(found.polygon_corners, found.first_polygon_corner, "polygon", 3, kernel::any_number,
+            [&](const Box& box, std::span<const Vec3> polygon) { addition.add_polygon(box, polygon); });
+  for (const Box& box : usable_boxes(found.inner_boxes, "box")) addition.add_inner_box(box);
+}
+
+void require_triangles(const TriangleView& triangles) {
+  kernel::require_view(triangles);
+  if (triangles.count > std::numeric_limits<std::uint32_t>::max()) {
+    kernel::fail(InvalidArgument(std::to_string(triangles.count) + " triangles; at most 2^32 - 1 can be numbered"));
+  }
+  for (std::size_t i = 0; i != triangles.count; ++i) {
+    for (const Vec3& vertex : triangles[i].vertex) {
+      if (!kernel::is_finite(vertex)) kernel::refuse_bound("triangle", i, "is not finite");
+    }
+  }
+}
+
+/// Adds a group: triangles with these numbers.
+void add_group(kernel::OccluderAddition& addition, const TriangleView& triangles,
+               std::span<const std::uint32_t> numbers) {
+  kernel::PointBox around;
+  std::vector<Vec3> vertices;
+  for (const std::uint32_t number : numbers) {
+    addition.add_triangle(number, triangles[number]);
+    for (const Vec3& vertex : triangles[number].vertex) {
+      around.add(vertex);
+      vertices.push_back(vertex);
+    }
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  put_extremes_first(vertices);
+  for (const Vec3& vertex : vertices) addition.add_point(vertex);
+  addition.add(around.box, kernel::OccluderKind::triangles);
+}
+
+void add_groups(kernel::OccluderAddition& addition, const TriangleView& triangles,
+                const kernel::TriangleGroups& groups) {
+  for (std::size_t g = 0; g + 1 < groups.first.size(); ++g) {
+    add_group(addition, triangles,
+              std::span(groups.order).subspan(groups.first[g], groups.first[g + 1] - groups.first[g]));
   }
 }
 
@@ -267,7 +164,7 @@ kernel::OccluderData& Occluders::own() {
 
 std::size_t Occluders::add_boxes(std::span<const Box> boxes) {
   return kernel::in_float_environment([&] {
-    Addition addition(own());
+    kernel::OccluderAddition addition(own());
     for (const Box& box : usable_boxes(boxes, "box")) addition.add(box, kernel::OccluderKind::box);
     return addition.keep();
   });
@@ -279,7 +176,7 @@ std::size_t Occluders::add_boxes(const BoxView& boxes) {
 
 std::size_t Occluders::add_solids(std::span<const Box> boxes) {
   return kernel::in_float_environment([&] {
-    Addition addition(own());
+    kernel::OccluderAddition addition(own());
     for (const Box& solid : usable_boxes(boxes, "solid")) {
       addition.add(solid, kernel::OccluderKind::box);
       addition.add_solid(solid);
@@ -294,7 +191,7 @@ std::size_t Occluders::add_solids(const BoxView& boxes) {
 
 std::size_t Occluders::add_solid_hulls(std::span<const Vec3> corners, std::span<const std::size_t> first_corner) {
   return kernel::in_float_environment([&] {
-    Addition addition(own());
+    kernel::OccluderAddition addition(own());
     add_parts(corners, first_corner, "hull", 4, kernel::any_number, [&](const Box& box, std::span<const Vec3> hull) {
       addition.add_points(hull);
       addition.add(box, kernel::OccluderKind::hull);
@@ -306,7 +203,7 @@ std::size_t Occluders::add_solid_hulls(std::span<const Vec3> corners, std::span<
 
 std::size_t Occluders::add_polygons(std::span<const Vec3> corners, std::span<const std::size_t> first_corner) {
   return kernel::in_float_environment([&] {
-    Addition addition(own());
+    kernel::OccluderAddition addition(own());
     add_parts(corners, first_corner, "polygon", 3, kernel::any_number,
               [&](const Box& box, std::span<const Vec3> polygon) {
                 addition.add_points(polygon);
@@ -319,57 +216,56 @@ std::size_t Occluders::add_polygons(std::span<const Vec3> corners, std::span<con
 
 void Occluders::add_found(const FoundSolids& found) {
   kernel::in_float_environment([&] {
-    Addition addition(own());
-    add_parts(found.hull_corners, found.first_hull_corner, "hull", 4, kernel::any_number,
-              [&](const Box& box, std::span<const Vec3> hull) { addition.add_solid_hull(box, hull); });
-    add_parts(found.polygon_corners, found.first_polygon_corner, "polygon", 3, kernel::any_number,
-              [&](const Box& box, std::span<const Vec3> polygon) { addition.add_polygon(box, polygon); });
-    for (const Box& box : usable_boxes(found.inner_boxes, "box")) addition.add_inner_box(box);
+    kernel::OccluderAddition addition(own());
+    add_found_solids(addition, found);
     addition.keep();
   });
 }
 
 std::size_t Occluders::add_triangles(const TriangleView& triangles, std::span<const std::size_t> first_triangle) {
   return kernel::in_float_environment([&] {
-    kernel::require_view(triangles);
+    require_triangles(triangles);
     kernel::require_memory("first_triangle", first_triangle, "positions");
-    if (triangles.count > std::numeric_limits<std::uint32_t>::max()) {
-      kernel::fail(InvalidArgument(std::to_string(triangles.count) + " triangles; at most 2^32 - 1 can be numbered"));
-    }
-    for (std::size_t i = 0; i != triangles.count; ++i) {
-      for (const Vec3& vertex : triangles[i].vertex) {
-        if (!kernel::is_finite(vertex)) kernel::refuse_bound("triangle", i, "is not finite");
-      }
-    }
-    kernel::TriangleGroups found;
+    kernel::TriangleGroups groups;
     if (first_triangle.empty()) {
-      found = kernel::triangle_groups(triangles);
-      first_triangle = found.first;
+      groups = kernel::triangle_groups(triangles);
     } else {
       kernel::require_parts(first_triangle, triangles.count, "first_triangle", "triangles");
       for (std::size_t i = 0; i + 1 < first_triangle.size(); ++i) {
         if (first_triangle[i] != first_triangle[i + 1]) continue;
         kernel::fail(InvalidArgument("group " + std::to_string(i) + " of triangles is empty"));
       }
+      groups.first.assign(first_triangle.begin(), first_triangle.end());
+      groups.order.resize(triangles.count);
+      std::iota(groups.order.begin(), groups.order.end(), 0U);
     }
-    Addition addition(own());
-    for (std::size_t g = 0; g + 1 < first_triangle.size(); ++g) {
-      PointBox around;
-      std::vector<Vec3> vertices;
-      for (std::size_t i = first_triangle[g]; i != first_triangle[g + 1]; ++i) {
-        const std::size_t triangle = found.order.empty() ? i : found.order[i];
-        addition.add_triangle(static_cast<std::uint32_t>(triangle), triangles[triangle]);
-        for (const Vec3& vertex : triangles[triangle].vertex) {
-          around.add(vertex);
-          vertices.push_back(vertex);
-        }
-      }
-      std::sort(vertices.begin(), vertices.end());
-      vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-      put_extremes_first(vertices);
-      for (const Vec3& vertex : vertices) addition.add_point(vertex);
-      addition.add(around.box, kernel::OccluderKind::triangles);
+    kernel::OccluderAddition addition(own());
+    add_groups(addition, triangles, groups);
+    return addition.keep();
+  });
+}
+
+std::size_t Occluders::add_mesh(const TriangleView& triangles, const SolidSearch& search) {
+  return kernel::in_float_environment([&] {
+    require_triangles(triangles);
+    FoundSolids found = find_solids(triangles, search);
+    const FoundBoxes boxes = take_boxes(found, triangles);
+    std::vector<std::uint32_t> numbers;
+    std::vector<Triangle> others;
+    for (std::uint32_t i = 0; i != triangles.count; ++i) {
+      if (boxes.box_of_triangle[i] != FoundBoxes::none) continue;
+      numbers.push_back(i);
+      others.push_back(triangles[i]);
     }
+    kernel::TriangleGroups groups = kernel::triangle_groups(TriangleStream(others).view());
+    for (std::uint32_t& number : groups.order) number = numbers[number];
+    kernel::OccluderAddition addition(own());
+    add_groups(addition, triangles, groups);
+    for (const Box& box : boxes.boxes) {
+      addition.add(box, kernel::OccluderKind::box);
+      addition.add_solid(box);
+    }
+    add_found_solids(addition, found);
     return addition.keep();
   });
 }

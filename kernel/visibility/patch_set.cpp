@@ -13,6 +13,7 @@
 #include "support/arguments.hpp"
 #include "support/fail.hpp"
 #include "support/float_environment.hpp"
+#include "support/padding.hpp"
 #include "support/text.hpp"
 #include "visibility/corner_lists.hpp"
 #include "visibility/patch_tree.hpp"
@@ -125,5 +126,15 @@ const kernel::PatchTree& PatchSet::tree() const noexcept {
 std::size_t PatchSet::size() const noexcept { return tree().order().size(); }
 bool PatchSet::has_planes() const noexcept { return tree().has_planes(); }
 std::span<const std::uint32_t> PatchSet::order() const noexcept { return tree().order(); }
+Box PatchSet::box() const noexcept {
+  if (size() == 0) return kernel::empty_box;
+  const kernel::PatchStreams& groups = tree().group_streams();
+  Box box{};
+  for (std::size_t k = 0; k != 3; ++k) {
+    box.lo[k] = *groups.stream(k);
+    box.hi[k] = *groups.stream(k + 3);
+  }
+  return box;
+}
 
 }  // namespace shaftcull

@@ -9,166 +9,11 @@
 
 #include <fmt/format.h>
 
-#include "mesh_parts.hpp"
-#include "name_pattern.hpp"
-#include "name_search.hpp"
+#include "sees_occluders.hpp"
 #include "shaftcull/error.hpp"
-#include "shaftcull/geometry.hpp"
-#include "shaftcull/solids.hpp"
-#include "shaftcull/triangles.hpp"
-#include "solid_shape.hpp"
 
 namespace shaftcull::cli {
 namespace {
-
-constexpr std::size_t triangles_of_a_group = 32;
-
-/// Which objects the names are of: all of that name, or those that match a pattern with * or ?.
-std::vector<bool> objects_of(const MeshScene& mesh, std::span<const std::string> names, const std::string& source) {
-  std::vector<bool> chosen(mesh.names.size(), false);
-  for (const std::string& name : names) {
-    const auto same = std::find(mesh.names.begin(), mesh.names.end(), name);
-    if (same != mesh.names.end()) {
-      chosen[static_cast<std::size_t>(same - mesh.names.begin())] = true;
-      continue;
-    }
-    bool found = false;
-    for (std::size_t i = 0; i < mesh.names.size(); ++i) {
-      if (!matches(name, mesh.names[i])) continue;
-      chosen[i] = true;
-      found = true;
-    }
-    if (found) continue;
-    throw InvalidArgument(fmt::format("--solid '{}': there is no object of that name in {}; its object{} {}", name,
-                                      source, mesh.names.size() == 1 ? " is" : "s are",
-                                      closest_names(name, mesh.names)));
-  }
-  return chosen;
-}
-
-/// The largest extent of a small patch: nine in ten are as large or larger. What is narrower than half of it hides
-/// none of these.
-float small_patch(std::span<const Box> patches) {
-  std::vector<float> extents;
-  extents.reserve(patches.size());
-  for (const Box& box : patches) {
-    extents.push_back(std::max({box.hi[0] - box.lo[0], box.hi[1] - box.lo[1], box.hi[2] - box.lo[2]}));
-  }
-  const auto small = extents.begin() + static_cast<std::ptrdiff_t>(extents.size() / 10);
-  std::nth_element(extents.begin(), small, extents.end());
-  return *small;
-}
-
-class OccluderMaker {
- public:
-  explicit OccluderMaker(SeesScene& scene) : scene_(scene) {}
-
-  void make(std::vector<bool> is_solid, const SeesChoice& choice) {
-    const std::vector<SolidShape> shapes = take_shapes(is_solid);
-    add_groups(is_solid);
-    add_solids(is_solid, shapes);
-    if (choice.finds_solids) find_others(is_solid, choice);
-  }
-
- private:
-  /// The shapes of objects that are named as solid. Those that cannot be are not solid any more.
-  std::vector<SolidShape> take_shapes(std::vector<bool>& is_solid) {
-    std::vector<std::vector<MeshTriangle>> of_object(is_solid.size());
-    for (const MeshTriangle& triangle : scene_.mesh.triangles) {
-      if (is_solid[triangle.object]) of_object[triangle.object].push_back(triangle);
-    }
-    std::vector<SolidShape> shapes(is_solid.size());
-    for (std::size_t object = 0; object < is_solid.size(); ++object) {
-      if (!is_solid[object]) continue;
-      shapes[object] = solid_shape(of_object[object]);
-      if (shapes[object].refusal.empty()) {
-        ++scene_.solids.named;
-        if (shapes[object].is_dented) {  // its own triangles are what stands between patches
-          add_hidden_hull(shapes[object].corners);
-          is_solid[object] = false;
-        }
-        continue;
-      }
-      is_solid[object] = false;
-      if (scene_.solids.skipped++ == 0) {
-        scene_.solids.skipped_because = fmt::format("'{}': {}", scene_.mesh.names[object], shapes[object].refusal);
-      }
-    }
-    return shapes;
-  }
-
-  void add_hidden_hull(const std::vector<Vec3>& corners) {
-    FoundSolids hull;
-    hull.hull_corners = corners;
-    hull.first_hull_corner = {0, corners.size()};
-    scene_.occluders.add_found(hull);
-  }
-
-  /// Solids in the triangles of all other objects. They hide, and are no occluders: their triangles are.
-  void find_others(const std::vector<bool>& is_solid, const SeesChoice& choice) {
-    std::vector<Triangle> triangles;
-    for (const MeshTriangle& triangle : scene_.mesh.triangles) {
-      if (!is_solid[triangle.object]) triangles.push_back({triangle.vertex});
-    }
-    // Patches that see on both sides have no inside.
-    const FoundSolids found = find_solids(TriangleStream(triangles).view(),
-                                          {.least_width = small_patch(scene_.boxes) / 2, .bodies = !choice.two_sided});
-    scene_.occluders.add_found(found);
-    scene_.solids.hulls = found.hulls();
-    scene_.solids.polygons = found.polygons();
-    scene_.solids.inner_boxes = found.inner_boxes.size();
-  }
-
-  void add_groups(const std::vector<bool>& is_solid) {
-    std::vector<MeshTriangle> parted = scene_.mesh.triangles;
-    const std::size_t parts = divide_into_parts(parted, triangles_of_a_group).size();
-    std::vector<std::vector<std::uint32_t>> groups(parts);
-    for (std::size_t i = 0; i < parted.size(); ++i) {
-      if (!is_solid[parted[i].object]) groups[parted[i].part].push_back(static_cast<std::uint32_t>(i));
-    }
-    std::vector<Triangle> triangles;
-    std::vector<std::size_t> first{0};
-    for (std::vector<std::uint32_t>& group : groups) {
-      if (group.empty()) continue;
-      for (const std::uint32_t i : group) triangles.push_back({parted[i].vertex});
-      first.push_back(triangles.size());
-      scene_.occluder_triangles.push_back(std::move(group));
-    }
-    if (!triangles.empty()) scene_.occluders.add_triangles(TriangleStream(triangles).view(), first);
-  }
-
-  void add_solids(const std::vector<bool>& is_solid, const std::vector<SolidShape>& shapes) {
-    std::vector<std::vector<std::uint32_t>> of_object(is_solid.size());
-    for (std::size_t i = 0; i < scene_.mesh.triangles.size(); ++i) {
-      const std::uint32_t object = scene_.mesh.triangles[i].object;
-      if (is_solid[object]) of_object[object].push_back(static_cast<std::uint32_t>(i));
-    }
-    std::vector<Box> boxes;
-    std::vector<Vec3> corners;
-    std::vector<std::size_t> first{0};
-    std::vector<std::vector<std::uint32_t>> of_boxes;
-    std::vector<std::vector<std::uint32_t>> of_hulls;
-    for (std::size_t object = 0; object < is_solid.size(); ++object) {
-      if (!is_solid[object]) continue;
-      const SolidShape& shape = shapes[object];
-      if (shape.is_box) {
-        boxes.push_back(scene_.mesh.boxes[object]);
-        of_boxes.push_back(std::move(of_object[object]));
-      } else {
-        corners.insert(corners.end(), shape.corners.begin(), shape.corners.end());
-        first.push_back(corners.size());
-        of_hulls.push_back(std::move(of_object[object]));
-      }
-    }
-    if (!boxes.empty()) scene_.occluders.add_solids(boxes);
-    if (!corners.empty()) scene_.occluders.add_solid_hulls(corners, first);
-    for (auto* const list : {&of_boxes, &of_hulls}) {
-      for (std::vector<std::uint32_t>& triangles : *list) scene_.occluder_triangles.push_back(std::move(triangles));
-    }
-  }
-
-  SeesScene& scene_;
-};
 
 void scale(Box& box, double factor) {
   for (Vec3* corner : {&box.lo, &box.hi}) {
@@ -283,7 +128,7 @@ SeesScene make_sees_scene(MeshScene mesh, const SeesChoice& choice, const std::s
   } else if (!choice.two_sided) {
     scene.outlines = {};  // boxes with planes are the same, and compared faster
   }
-  OccluderMaker(scene).make(objects_of(scene.mesh, choice.solid, source), choice);
+  add_occluders(scene, choice, source);
   return scene;
 }
 

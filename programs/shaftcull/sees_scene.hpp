@@ -57,10 +57,8 @@ struct SeesScene {
   }
 };
 
-/// Triangles of objects that are not named as solid become occluders in groups of at most 32 neighbours of the same
-/// object, and solids are looked for in them. An object that is named as solid and is no convex body counts as one that
-/// is not named. Throws InvalidArgument for a name in `choice.solid` that no object has, and as split_into_patches();
-/// `source` is what messages call the scene.
+/// Throws InvalidArgument for a name in `choice.solid` that no object has, and as split_into_patches(); `source` is
+/// what messages call the scene.
 [[nodiscard]] SeesScene make_sees_scene(MeshScene mesh, const SeesChoice& choice, const std::string& source);
 
 }  // namespace shaftcull::cli

@@ -100,6 +100,26 @@ inline void add_visibility_calls(CallTable& table) {
     occluders.add_found(found);
     words.push_back(count_visibility(all->patches, occluders).occluded);
   });
+  table.add("add_mesh", false, [all, &triangles = table.triangle_stream](AnswerWords& words) {
+    TriangleView few = triangles.view();
+    few.count = std::min<std::size_t>(few.count, 100);
+    Occluders occluders;
+    words.push_back(occluders.add_mesh(few, {.region = all->patches.box()}));
+    for (std::size_t i = 0; i != occluders.size(); ++i) note(words, occluders.box(i));
+    words.push_back(count_visibility(all->patches, occluders).occluded);
+  });
+  table.add("take_boxes", false, [all, &triangles = table.triangle_stream](AnswerWords& words) {
+    FoundSolids found;
+    for (const float x : {0.0F, 1.0F}) {
+      for (const float y : {0.0F, 2.0F}) {
+        for (const float z : {0.0F, 3.0F}) found.hull_corners.push_back({x, y, z});
+      }
+    }
+    found.first_hull_corner.push_back(8);
+    const FoundBoxes boxes = take_boxes(found, triangles.view());
+    for (const Box& box : boxes.boxes) note(words, box);
+    note(words, std::span<const std::uint32_t>(boxes.box_of_triangle));
+  });
   table.add("inscribed_box", false, [all](AnswerWords& words) { note(words, inscribed_box(all->hull)); });
   table.add("view_factor", false, [all](AnswerWords& words) {
     const std::span<const Vec3> corners(all->hull);

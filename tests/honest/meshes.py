@@ -219,6 +219,23 @@ def facades(source):
     return [("quarter", turned(numpy.concatenate(parts), (0, 0, 1), 0.25))]
 
 
+def open_blocks(source):
+    """Blocks without bottoms and the level ground between them, one object in which they share vertices; a table in a tent."""
+    parts = []
+    for i in range(9):
+        for j in range(9):
+            x, y = 10.0 * i, 10.0 * j
+            if i % 2 == 0 or j % 2 == 0:
+                parts.append(grid((x, y, 0), (10, 0, 0), (0, 10, 0), 2, 2))
+                continue
+            high = source.uniform(6, 25)
+            for origin, u in (((x, y), (10, 0)), ((x + 10, y), (0, 10)), ((x + 10, y + 10), (-10, 0)), ((x, y + 10), (0, -10))):
+                parts.append(grid((*origin, 0), (*u, 0), (0, 0, high), 2, 2))
+            parts.append(grid((x, y, high), (10, 0, 0), (0, 10, 0), 2, 2))
+    tent = prism([(2, 92), (12, 92), (12, 99), (2, 99)], 0, 4)[:-2]
+    return [("town", numpy.concatenate(parts)), ("tent", tent), ("table", box((4, 94, 0), (6, 96, 1)))]
+
+
 def city(source):
     """Blocks on a ground, an object each, turned by 30 degrees."""
     mesh = [("ground", grid((-6, -6, 0), (150, 0, 0), (0, 150, 0), 1, 1))]
@@ -249,6 +266,7 @@ sizes = {
     scan: 9.0,
     hall: 1.6,
     facades: 5.0,
+    open_blocks: 5.0,
     city: 14.0,
     overlapping: 1.3,
 }

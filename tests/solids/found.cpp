@@ -15,6 +15,7 @@
 
 #include "caught.hpp"
 #include "shaftcull/error.hpp"
+#include "shaftcull/geometry.hpp"
 #include "shaftcull/solids.hpp"
 #include "shaftcull/visibility.hpp"
 #include "solids/meshes.hpp"
@@ -140,6 +141,134 @@ TEST(FoundSolids, AreNoBodiesOfABuildingWithoutABottom) {
   mesh.add_box({{0, 0, 0}, {4, 4, 6}});
   mesh.triangles.resize(mesh.triangles.size() - 2);
   for (const Polygons& it : upright_and_turned(mesh)) EXPECT_EQ(counts(found_in(it)), (Counts{0, 5, 0}));
+}
+
+/// A box without its bottom.
+void add_open_box(Polygons& to, const Box& box) {
+  to.add_box(box);
+  to.triangles.resize(to.triangles.size() - 2);
+}
+
+Box box_of(const Polygons& mesh) {
+  std::vector<Vec3> vertices;
+  for (const Triangle& triangle : mesh.triangles) {
+    vertices.insert(vertices.end(), triangle.vertex.begin(), triangle.vertex.end());
+  }
+  return box_around(vertices);
+}
+
+/// The mesh with its axes in another order, and maybe mirrored in the origin. Faces keep their fronts.
+Polygons with_axes(const Polygons& mesh, std::size_t shift, bool is_mirrored) {
+  Polygons other = mesh;
+  for (Triangle& triangle : other.triangles) {
+    for (Vec3& v : triangle.vertex) {
+      std::rotate(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(shift), v.end());
+      if (is_mirrored) v = {-v[0], -v[1], -v[2]};
+    }
+  }
+  if (is_mirrored) other.flip();
+  return other;
+}
+
+/// Ground of 6 × 6 squares of 10 m, and four buildings without bottoms on it. Where they stand there is no ground, and
+/// they share edges with the ground around them. One stands at the rim.
+Polygons city_on_level_ground() {
+  Polygons mesh;
+  const auto is_built = [](int x, int y) { return (x == 1 || x == 5) && (y == 1 || y == 3); };
+  for (int x = 0; x != 6; ++x) {
+    for (int y = 0; y != 6; ++y) {
+      const auto at_x = static_cast<float>(10 * x);
+      const auto at_y = static_cast<float>(10 * y);
+      if (is_built(x, y)) {
+        add_open_box(mesh, {{at_x, at_y, 0}, {at_x + 10, at_y + 10, at_x + at_y}});
+      } else {
+        mesh.add({{at_x, at_y, 0}, {at_x + 10, at_y, 0}, {at_x + 10, at_y + 10, 0}, {at_x, at_y + 10, 0}});
+      }
+    }
+  }
+  return mesh;
+}
+
+TEST(FoundSolids, AreBuildingsWithoutABottomOnTheGroundOfTheRegion) {
+  for (const std::size_t shift : {0U, 1U, 2U}) {
+    for (const bool is_mirrored : {false, true}) {
+      SCOPED_TRACE(shift);
+      const Polygons mesh = with_axes(city_on_level_ground(), shift, is_mirrored);
+      const FoundSolids found = found_in(mesh, {.region = box_of(mesh)});
+      ASSERT_EQ(counts(found), (Counts{4, 0, 0}));
+      EXPECT_EQ(found.hull_corners.size(), 32U);
+      EXPECT_EQ(found_in(mesh).hulls(), 0U);
+      EXPECT_EQ(counts(found_in(mesh, {.bodies = false, .region = box_of(mesh)})), (Counts{0, 20, 0}));
+    }
+  }
+  Polygons turned = city_on_level_ground();
+  turned.turn(0.5, 0);
+  const FoundSolids found = found_in(turned, {.region = box_of(turned)});
+  ASSERT_EQ(found.hulls(), 4U);
+  for (const Vec3& corner : found.hull_corners) EXPECT_TRUE(corner[2] == 0 || corner[2] >= 20);
+}
+
+TEST(FoundSolids, AreBuildingsOfAnyShapeOnTheGround) {
+  Polygons mesh;
+  mesh.add({{-9, -9, 0}, {99, -9, 0}, {99, 99, 0}, {-9, 99, 0}});
+  mesh.add_box({{50, 50, 0}, {60, 60, 9}});  // its bottom lies on the ground
+  mesh.add_l_block(0, 0, 0, 3);
+  mesh.triangles.resize(mesh.triangles.size() - 4);  // its bottom
+  mesh.add_column(20, 20, 5, 12, -1, 8);             // reaches below the ground, where it is open
+  mesh.triangles.resize(mesh.triangles.size() - 10);
+  mesh.add_l_block(30, 0, -1, 3);  // likewise
+  mesh.triangles.resize(mesh.triangles.size() - 4);
+  Box region = box_of(mesh);
+  region.lo[2] = 0;
+  const FoundSolids found = found_in(mesh, {.region = region});
+  EXPECT_EQ(found.hulls(), 2U);
+  EXPECT_EQ(found.hull_corners.size(), 8U + 24U);
+  EXPECT_EQ(found.inner_boxes,
+            (std::vector<Box>{
+                {{0, 0, 0}, {2, 4, 3}}, {{0, 0, 0}, {4, 2, 3}}, {{30, 0, 0}, {32, 4, 3}}, {{30, 0, 0}, {34, 2, 3}}}));
+  EXPECT_EQ(counts(found_in(mesh, {.region = {{-9, -9, -0.5F}, {99, 99, 9}}})), (Counts{2, 1 + 2 * (6 + 2), 2}));
+}
+
+TEST(FoundSolids, AreNoOpenBodiesThatAreNotClosedByTheGround) {
+  const Box region{{-9, -9, 0}, {9, 9, 9}};
+  const auto found_with = [&](const Polygons& mesh) { return counts(found_in(mesh, {.region = region})); };
+  Polygons above;  // the ground
+  add_open_box(above, {{0, 0, 1}, {2, 2, 3}});
+  EXPECT_EQ(found_with(above), (Counts{0, 5, 0}));
+  Polygons broken;
+  add_open_box(broken, {{0, 0, 0}, {2, 2, 3}});
+  broken.triangles.erase(broken.triangles.begin());
+  EXPECT_EQ(found_with(broken).front(), 0U);
+  Polygons open_at_both_ends;
+  add_open_box(open_at_both_ends, {{0, 0, 0}, {2, 2, 9}});
+  open_at_both_ends.triangles.resize(8);
+  EXPECT_EQ(found_with(open_at_both_ends), (Counts{0, 4, 0}));
+  Polygons room;
+  add_open_box(room, {{0, 0, 0}, {2, 2, 3}});
+  room.flip();
+  EXPECT_EQ(found_with(room), (Counts{0, 5, 0}));
+}
+
+TEST(FoundSolids, AreNoOpenShellsAroundSomethingButOnFloors) {
+  const Box region{{-9, -9, 0}, {9, 9, 9}};
+  Polygons mesh;
+  add_open_box(mesh, {{0, 0, 0}, {6, 5, 3}});
+  Polygons with_a_table = mesh;
+  with_a_table.add({{1, 1, 1}, {2, 1, 1}, {2, 2, 1}, {1, 2, 1}});
+  EXPECT_EQ(counts(found_in(with_a_table, {.region = region})), (Counts{0, 6, 0}));
+  Polygons with_a_floor = mesh;
+  with_a_floor.add({{1, 1, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0}});
+  EXPECT_EQ(counts(found_in(with_a_floor, {.region = region})), (Counts{1, 0, 0}));
+}
+
+TEST(FoundSolids, NeedARegionWithoutNaN) {
+  const float nan = std::nanf("");
+  for (const Box& region : {Box{{0, 0, nan}, {1, 1, 1}}, Box{{0, 0, 0}, {1, nan, 1}}}) {
+    EXPECT_THROW(static_cast<void>(found_in({}, {.region = region})), InvalidArgument);
+  }
+  Polygons mesh;
+  mesh.add_box({{0, 0, 0}, {1, 1, 1}});
+  EXPECT_NO_THROW(static_cast<void>(found_in(mesh, {.region = PatchSet().box()})));
 }
 
 TEST(FoundSolids, OfABaffleOfTwoTrianglesIsOnePolygon) {
@@ -370,6 +499,104 @@ TEST(FoundSolids, ThatAreBrokenAddNothing) {
   EXPECT_EQ(count_visibility(PatchSet(two), occluders), (SightCounts{.clear = 1}));
   occluders.add_found(good);
   EXPECT_EQ(count_visibility(PatchSet(two), occluders), (SightCounts{.occluded = 1}));
+}
+
+/// The facets of a mesh as patches, each of which faces its front.
+PatchSet facets_of(const Polygons& mesh) {
+  std::vector<Vec3> corners;
+  std::vector<std::size_t> first{0};
+  for (const Triangle& triangle : mesh.triangles) {
+    corners.insert(corners.end(), triangle.vertex.begin(), triangle.vertex.end());
+    first.push_back(corners.size());
+  }
+  return PatchSet(corners, first);
+}
+
+TEST(MeshOccluders, AreBoxesInPlaceOfTheirTrianglesAndGroupsOfOthers) {
+  Polygons mesh = city_on_level_ground();
+  mesh.add_column(45, 45, 3, 8, 0, 9);
+  mesh.add({{30, 0, 5}, {30, 8, 5}, {30, 8, 9}, {30, 0, 9}});
+  const TriangleStream triangles{std::span<const Triangle>(mesh.triangles)};
+  const PatchSet patches = facets_of(mesh);
+  Occluders occluders;
+  occluders.add_boxes(std::vector<Box>{{{-9, -9, -9}, {-8, -8, -8}}});
+  ASSERT_EQ(occluders.add_mesh(triangles, {.region = patches.box()}), 1U);
+  std::vector<bool> is_in_group(triangles.size(), false);
+  std::vector<Box> boxes;
+  for (std::size_t i = 1; i != occluders.size(); ++i) {
+    if (occluders.triangles(i).empty()) boxes.push_back(occluders.box(i));
+    for (const std::uint32_t triangle : occluders.triangles(i)) {
+      EXPECT_TRUE(boxes.empty()) << "groups come first";
+      EXPECT_FALSE(is_in_group[triangle]);
+      is_in_group[triangle] = true;
+    }
+  }
+  ASSERT_EQ(boxes.size(), 4U);
+  for (std::size_t i = 0; i != triangles.size(); ++i) {
+    const Box around = box_around(mesh.triangles[i].vertex);
+    EXPECT_NE(is_in_group[i],
+              std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) { return joined(box, around) == box; }));
+  }
+  // They hide what the found solids hide, and are in the way where the triangles are.
+  Occluders apart;
+  apart.add_triangles(triangles);
+  apart.add_found(find_solids(triangles, {.region = patches.box()}));
+  EXPECT_EQ(count_visibility(patches, occluders), count_visibility(patches, apart));
+}
+
+TEST(MeshOccluders, OfAnOpenBuildingHideMoreThanItsWalls) {
+  // Two patches at opposite corners of a building: segments between them enter through two of its walls.
+  Polygons mesh;
+  add_open_box(mesh, {{0, 0, 0}, {10, 10, 10}});
+  const TriangleStream triangles{std::span<const Triangle>(mesh.triangles)};
+  const PatchSet patches(std::vector<Box>{{{-3, -3, 0}, {-2, -2, 1}}, {{12, 12, 0}, {13, 13, 1}}});
+  EXPECT_EQ(patches.box(), (Box{{-3, -3, 0}, {13, 13, 1}}));
+  const auto counted = [&](const SolidSearch& search) {
+    Occluders occluders;
+    occluders.add_mesh(triangles, search);
+    return count_visibility(patches, occluders);
+  };
+  EXPECT_EQ(counted({}).undecided, 1U);
+  EXPECT_EQ(counted({.region = patches.box()}).occluded, 1U);
+}
+
+TEST(MeshOccluders, OfBadTrianglesAreNotAdded) {
+  std::vector<float> coordinates(9, 0);
+  coordinates.push_back(std::numeric_limits<float>::quiet_NaN());
+  TriangleView triangles{};
+  for (std::size_t k = 0; k != 9; ++k) triangles.stream[k] = coordinates.data() + (k == 8 ? 8 : 0);
+  triangles.count = 2;
+  Occluders occluders;
+  const auto error = caught<BadBound>([&] { occluders.add_mesh(triangles); });
+  ASSERT_TRUE(error.has_value());
+  EXPECT_EQ(error->index(), 1U);
+  triangles.count = 1;
+  EXPECT_TRUE(caught<InvalidArgument>([&] { occluders.add_mesh(triangles, {.least_width = -1}); }).has_value());
+  EXPECT_EQ(occluders.size(), 0U);
+}
+
+TEST(FoundBoxes, AreTakenFromOtherBodies) {
+  Polygons mesh;
+  mesh.add_box({{0, 0, 0}, {1, 2, 3}});
+  Polygons turned;
+  turned.add_box({{10, 0, 0}, {11, 2, 3}});
+  turned.turn(0.5, 0);
+  mesh.triangles.insert(mesh.triangles.end(), turned.triangles.begin(), turned.triangles.end());
+  mesh.add({{0, 0, 1}, {1, 0, 1}, {1, 2, 1}});  // within the first box
+  mesh.add({{0, 0, 1}, {1, 0, 1}, {2, 2, 1}});  // leaves it
+  const TriangleStream triangles{std::span<const Triangle>(mesh.triangles)};
+  FoundSolids found = find_solids(triangles);
+  ASSERT_EQ(found.hulls(), 2U);
+  const FoundBoxes boxes = take_boxes(found, triangles.view());
+  EXPECT_EQ(boxes.boxes, (std::vector<Box>{{{0, 0, 0}, {1, 2, 3}}}));
+  EXPECT_EQ(found.hulls(), 1U);
+  EXPECT_GT(hull(found, 0).front()[0], 5);
+  std::vector<std::uint32_t> of_triangle(12, 0);
+  of_triangle.resize(24, FoundBoxes::none);
+  of_triangle.push_back(0);
+  of_triangle.push_back(FoundBoxes::none);
+  EXPECT_EQ(boxes.box_of_triangle, of_triangle);
+  EXPECT_TRUE(take_boxes(found, triangles.view()).boxes.empty());
 }
 
 }  // namespace

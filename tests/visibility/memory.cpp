@@ -210,6 +210,7 @@ TEST(VisibilityMemory, ThatRunsOutLeavesNothingBehind) {
     expect_nothing_left([&] { static_cast<void>(occluders_of(scene)); });
     expect_nothing_left([&] { static_cast<void>(merged_boxes(scene.solids)); });
     expect_nothing_left([&] { static_cast<void>(find_solids(mesh)); });
+    expect_nothing_left([&] { Occluders().add_mesh(mesh); });
     expect_nothing_left([&] { static_cast<void>(count_visibility(a, b, occluders, options)); });
     expect_nothing_left([&] { static_cast<void>(count_visibility(a, occluders, options)); });
     expect_nothing_left([&] { static_cast<void>(collect_visibility(a, b, occluders, options)); });

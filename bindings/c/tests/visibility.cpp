@@ -14,6 +14,7 @@
 #include "handles.hpp"
 #include "oracle/random.hpp"
 #include "shaftcull.h"
+#include "shaftcull/geometry.hpp"
 #include "shaftcull/rays.hpp"
 #include "shaftcull/solids.hpp"
 #include "shaftcull/view_factors.hpp"
@@ -106,8 +107,9 @@ void make_scene(Random& random, Scene& scene) {
   ok(shaftcull_occluders_add_triangles(c, &triangle_source, nullptr, 0, &first));
   EXPECT_EQ(first, cpp.add_triangles(stream.view()));
   shaftcull_found_solids found;
-  ok(shaftcull_occluders_find_solids(c, &triangle_source, 0.25F, 1, &found));
-  const FoundSolids of_mesh = find_solids(stream.view(), {.least_width = 0.25F});
+  ok(shaftcull_occluders_find_solids(c, &triangle_source, 0.25F, 1, scene.c.get(), scene.others_c.get(), &found));
+  const Box region = joined(scene.cpp.box(), scene.others_cpp.box());
+  const FoundSolids of_mesh = find_solids(stream.view(), {.least_width = 0.25F, .region = region});
   cpp.add_found(of_mesh);
   EXPECT_EQ(found.hulls, of_mesh.hulls());
   EXPECT_EQ(found.polygons, of_mesh.polygons());
@@ -327,6 +329,42 @@ TEST(CVisibility, PolygonsAndATolerance) {
     EXPECT_EQ(counts.facing_away, tolerance == 0.125F ? 1U : 0U);
     EXPECT_EQ(counts.clear, tolerance == 0.125F ? 0U : 1U);
   }
+}
+
+TEST(CVisibility, OpenBodiesAreFoundBetweenPatchesThatAreGiven) {
+  // A box without its bottom, which stands on the ground of these patches.
+  std::vector<Triangle> triangles;
+  const auto add = [&](const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) {
+    triangles.push_back({p, q, r});
+    triangles.push_back({p, r, s});
+  };
+  const Vec3 low[]{{4, 4, 0}, {6, 4, 0}, {6, 6, 0}, {4, 6, 0}};
+  const Vec3 high[]{{4, 4, 3}, {6, 4, 3}, {6, 6, 3}, {4, 6, 3}};
+  for (std::size_t i = 0; i != 4; ++i) add(low[i], low[(i + 1) % 4], high[(i + 1) % 4], high[i]);
+  add(high[0], high[1], high[2], high[3]);
+  const std::vector<shaftcull_triangle> c_triangles = as_c(triangles);
+  const shaftcull_source source = source_of(c_triangles);
+  const std::vector<shaftcull_box> ground{{{0, 0, 0}, {9, 9, 0}}};
+  const std::vector<shaftcull_box> deeper{{{0, 0, -1}, {9, 9, 5}}};
+  const auto patches_of = [](const std::vector<shaftcull_box>& boxes) {
+    const shaftcull_source boxes_source = source_of(boxes);
+    return made<PatchesHandle>(shaftcull_patches_create, &boxes_source, static_cast<const shaftcull_plane*>(nullptr),
+                               std::uint64_t{0});
+  };
+  const PatchesHandle a = patches_of(ground);
+  const PatchesHandle b = patches_of(deeper);
+  const PatchesHandle none = patches_of({});
+  const OccludersHandle occluders = made<OccludersHandle>(shaftcull_occluders_create);
+  const auto hulls = [&](const shaftcull_patches* one, const shaftcull_patches* other) {
+    shaftcull_found_solids found;
+    ok(shaftcull_occluders_find_solids(occluders.get(), &source, 0, 1, one, other, &found));
+    return found.hulls;
+  };
+  EXPECT_EQ(hulls(nullptr, nullptr), 0U);
+  EXPECT_EQ(hulls(a.get(), nullptr), 1U);
+  EXPECT_EQ(hulls(a.get(), a.get()), 1U);
+  EXPECT_EQ(hulls(a.get(), none.get()), 1U);
+  EXPECT_EQ(hulls(a.get(), b.get()), 0U);
 }
 
 TEST(CVisibility, DefaultOptionsAreThoseOfCpp) {

@@ -2,8 +2,11 @@
 #include "patches.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 #include <variant>
+
+#include <pybind11/stl.h>
 
 #include "bounds_in.hpp"
 #include "results.hpp"
@@ -49,6 +52,19 @@ bool are_corners(const py::object& given) {
   return py::isinstance<py::array>(first) && py::reinterpret_borrow<py::array>(first).ndim() == 2;
 }
 
+/// Whether solids are wanted, or the patches that all questions are about.
+using FindSolids = std::variant<bool, const PatchSet*>;
+
+std::optional<SolidSearch> search_in(const FindSolids& wanted) {
+  SolidSearch search;
+  if (const auto* const patches = std::get_if<const PatchSet*>(&wanted)) {
+    search.region = (*patches)->box();
+  } else if (!std::get<bool>(wanted)) {
+    return std::nullopt;
+  }
+  return search;
+}
+
 /// Adds triangles, in the groups that are given, and solids that are found in them if they are wanted.
 std::size_t add_triangles(Occluders& to, const py::object& given, const OccluderArguments& more,
                           OccludersHolder& holder) {
@@ -60,9 +76,10 @@ std::size_t add_triangles(Occluders& to, const py::object& given, const Occluder
   }
   const py::gil_scoped_release release;
   const auto add = [&](const TriangleView& triangles) {
+    if (more.search && more.takes_boxes) return to.add_mesh(triangles, *more.search);
     const std::size_t number = to.add_triangles(triangles, first);
-    if (more.find_solids) {
-      const FoundSolids found = find_solids(triangles);
+    if (more.search) {
+      const FoundSolids found = find_solids(triangles, *more.search);
       to.add_found(found);
       holder.found = {
           {"hulls", found.hulls()}, {"polygons", found.polygons()}, {"inner_boxes", found.inner_boxes.size()}};
@@ -162,7 +179,7 @@ OccludersHolder occluders_in(const py::object& boxes, const OccluderArguments& m
   });
   add(more.triangles, "triangles",
       [&](const py::object& given, const char* /*name*/) { return add_triangles(all, given, more, holder); });
-  if (more.triangles.is_none() && (!more.faces.is_none() || !more.groups.is_none() || more.find_solids)) {
+  if (more.triangles.is_none() && (!more.faces.is_none() || !more.groups.is_none() || more.search)) {
     throw py::value_error("faces, groups and find_solids are of triangles, which are not given");
   }
   holder.all = std::make_shared<const Occluders>(std::move(all));
@@ -213,7 +230,9 @@ triangles, faces: a mesh, float32 (n, 3, 3), or vertices (v, 3) with faces, inte
 groups: integers (g + 1,): group i has triangles groups[i] to groups[i + 1]. With None, the library makes
     groups.
 find_solids: True finds bodies, walls and floors in the triangles, which make pairs 'occluded'. These solids
-    are not occluders; `found` has their numbers. Closed surfaces must face outwards to be bodies.
+    are not occluders; `found` has their numbers. Closed surfaces must face outwards to be bodies. Patches
+    instead of True are the patches that all questions are about: then bodies may be open on or beyond one
+    face of the box around them, as buildings without a bottom are on level ground.
 rounding: 'outwards' also accepts `boxes` of float64, and contains them: a pair that is clear is so as given,
     too. The other arguments are never rounded outwards, since a larger solid hides too much: use
     astype(numpy.float32).
@@ -222,8 +241,8 @@ BadBound, with the index, for a value that is not finite or lo > hi. TypeError, 
 names the argument that does not fit.)")
       .def(py::init([](const py::object& boxes, const py::object& solids, const py::object& hulls,
                        const py::object& polygons, const py::object& triangles, const py::object& faces,
-                       const py::object& groups, bool find_solids, const py::object& rounding) {
-             return occluders_in(boxes, {solids, hulls, polygons, triangles, faces, groups, find_solids},
+                       const py::object& groups, const FindSolids& find_solids, const py::object& rounding) {
+             return occluders_in(boxes, {solids, hulls, polygons, triangles, faces, groups, search_in(find_solids)},
                                  rounding_in(rounding));
            }),
            arg("boxes") = none, py::kw_only(), arg("solids") = none, arg("hulls") = none, arg("polygons") = none,

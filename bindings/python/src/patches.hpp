@@ -4,12 +4,14 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "arrays.hpp"
 #include "module.hpp"
+#include "shaftcull/solids.hpp"
 #include "shaftcull/visibility.hpp"
 
 namespace shaftcull::python {
@@ -33,7 +35,8 @@ struct OccluderArguments {
   const py::object& triangles;
   const py::object& faces;
   const py::object& groups;
-  bool find_solids = false;  ///< whether solids are looked for in the triangles
+  std::optional<SolidSearch> search = std::nullopt;  ///< for solids in the triangles
+  bool takes_boxes = false;  ///< whether bodies found that are upright boxes stand for the triangles that lie in them
 };
 
 /// All occluders: of arrays, or those that shaftcull.Occluders holds. Errors name the arguments.

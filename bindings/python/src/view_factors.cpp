@@ -90,8 +90,10 @@ void add_view_factors(py::module_& module) {
         const Rounding exact = rounding_in(py::none());
         const PatchSet set = patches_in(patches, planes, exact, "patches", "planes");
         const py::object nothing = py::none();
-        const OccludersHolder between = occluders_in(
-            occluders, {nothing, nothing, nothing, triangles, faces, nothing, !triangles.is_none()}, exact);
+        std::optional<SolidSearch> search;
+        if (!triangles.is_none()) search = SolidSearch{.region = set.box()};
+        const OccludersHolder between =
+            occluders_in(occluders, {nothing, nothing, nothing, triangles, faces, nothing, search, true}, exact);
         ViewFactorOptions options;
         options.rays = rays;
         options.error = error;

@@ -200,6 +200,18 @@ def test_occluders_of_all_sorts():
     found = sc.Occluders(triangles=square, faces=[[0, 1, 2], [0, 2, 3]], find_solids=True)
     assert found.found == {"hulls": 0, "polygons": 1, "inner_boxes": 0} and len(found) == 1
     assert said(occluders=found) == "occluded"
+    building = np.array([[4, 4, 0], [6, 4, 0], [6, 6, 0], [4, 6, 0], [4, 4, 3], [6, 4, 3], [6, 6, 3], [4, 6, 3]], np.float32)
+    walls = [[i, (i + 1) % 4, (i + 1) % 4 + 4, i + 4] for i in range(4)] + [[4, 5, 6, 7]]
+    building = dict(triangles=building, faces=[half for a, b, c, d in walls for half in ([a, b, c], [a, c, d])])
+    for find_solids, bodies in [
+        (True, 0),
+        (sc.Patches(np.array([0, 0, 0, 9, 9, 0], np.float32)), 1),
+        (sc.Patches(np.array([0, 0, -1, 9, 9, 9], np.float32)), 0),
+        (sc.Patches(np.empty((0, 6), np.float32)), 1),
+    ]:
+        assert sc.Occluders(**building, find_solids=find_solids).found["hulls"] == bodies
+    with pytest.raises(TypeError):
+        sc.Occluders(**building, find_solids="yes")
     assert said(planes=[1, 0, 0, 20]) == "facing_away"
     assert said(planes=[[1, 0, 0, 0], [-1, 0, 0, -10]]) == "clear"
     touching = np.array([0, 1, 0, 10, 2, 1], dtype=np.float32)

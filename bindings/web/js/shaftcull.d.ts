@@ -616,7 +616,10 @@ export interface VisibilityScene extends RayOptions {
   contact?: Contact;
   /** How far in front of a plane a point may be and still count as behind it; 0 by default. */
   tolerance?: number;
-  /** Whether to find solids in the triangles: bodies, and flat polygons. Found solids are not occluders. */
+  /**
+   * Whether to find solids in the triangles: bodies, and flat polygons. Bodies may be open on or beyond one face of the
+   * box around the patches, as buildings without a bottom are on level ground. Found solids are not occluders.
+   */
   findSolids?: boolean;
   /** Whether a solid that a patch reaches into may make a pair occluded; true by default. */
   solidsAroundEnds?: boolean;

@@ -45,7 +45,7 @@ function cornersOf(scratch, values, name) {
 }
 
 /** All occluders of the scene: their handle, and the number of the first group of triangles. */
-function occludersOf(module, scratch, make, scene) {
+function occludersOf(module, scratch, make, scene, a, b) {
   const occluders = make('shaftcull_occluders_free', 'shaftcull_occluders_create');
   const source = (kind, name) => sourceOf(scratch, kind, scene[name], name).pointer;
   const add = (name, ...values) => module.call(name, occluders, ...values, 0);
@@ -57,7 +57,7 @@ function occludersOf(module, scratch, make, scene) {
   if (scene.triangles) add('shaftcull_occluders_add_triangles', source('triangles', 'triangles'), 0, 0n);
   if (scene.findSolids) {
     if (!scene.triangles) throw new TypeError('findSolids looks for solids in triangles, and there are none');
-    module.call('shaftcull_occluders_find_solids', occluders, source('triangles', 'triangles'), 0, 1, 0);
+    module.call('shaftcull_occluders_find_solids', occluders, source('triangles', 'triangles'), 0, 1, a, b, 0);
   }
   return {occluders, firstGroup};
 }
@@ -88,7 +88,7 @@ export function withScene(module, scene, names, use) {
     const a = patchesOf(scratch, make, scene.patches, scene.planes, scene.corners, scene.sides, 'patches', 'corners');
     const b = scene.patchesB || scene.cornersB ?
         patchesOf(scratch, make, scene.patchesB, scene.planesB, scene.cornersB, scene.sides, 'patchesB', 'cornersB') : 0;
-    return use({a, b, ...occludersOf(module, scratch, make, scene)}, make, scratch);
+    return use({a, b, ...occludersOf(module, scratch, make, scene, a, b)}, make, scratch);
   }));
 }
 
