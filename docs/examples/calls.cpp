@@ -45,7 +45,7 @@ void ask_of_all_pairs() {
   Occluders occluders;
   occluders.add_solids(std::vector<Box>{{{2, -1, -1}, {3, 2, 2}}});
   const MeshView triangles = mesh_view(vertices, indices);
-  occluders.add_mesh(TriangleStream(triangles), {.region = patches.box()});
+  occluders.add_mesh(triangles, {.region = patches.box()});
   occluders.add_found(find_solids(triangles));
   std::size_t batches = 0;
   const auto deliver = [&](const SightBatch&) { ++batches; };

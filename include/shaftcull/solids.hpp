@@ -62,9 +62,9 @@ struct SolidSearch {
   /// Whether closed surfaces are the surfaces of bodies. Set it to false if patches see on both sides, or if triangles
   /// have no reliable orientation: then only polygons are found.
   bool bodies = true;
-  /// The box in which all patches lie. Bodies may be open on or beyond one of its faces, as buildings without a bottom
-  /// are on level ground. What is found is proven for segments within the region. By default, patches may lie anywhere,
-  /// and bodies must be closed. See PatchSet::box().
+  /// The box in which all patches lie; for two sets joined(a.box(), b.box()). Each body may be open on or beyond one
+  /// face of it, as buildings without a bottom are on level ground. A patch outside the region may be reported as
+  /// occluded although it is not. By default, patches may lie anywhere, and bodies must be closed.
   Box region{{-unbounded, -unbounded, -unbounded}, {unbounded, unbounded, unbounded}};
 
   static constexpr float unbounded = std::numeric_limits<float>::infinity();  ///< where a region has no end
@@ -74,9 +74,10 @@ struct SolidSearch {
 /// Vertices at the same position are one vertex, so a mesh may be one object or many, with shared vertices or without.
 ///
 /// A *part* is a set of triangles that are connected across edges. A part is *closed* if each of its edges has a
-/// triangle on both sides, and both run along it in opposite directions. Edges on or beyond a face of
-/// SolidSearch::region need none, if it is one face for the whole part. Triangles on or beyond the face on which most
-/// triangles stand, usually the ground, hide nothing within the region: they connect no parts, and are not found.
+/// triangle on both sides, and both run along it in opposite directions. An edge on or beyond a face of
+/// SolidSearch::region needs no second triangle, as long as one face serves all such edges of the part. Triangles on or
+/// beyond one face, usually the ground, are left out of the search, since they hide nothing within the region. It is
+/// the face that gives the most closed parts.
 ///
 /// * A closed part whose faces look outwards is the surface of a body of matter. If it is convex, it is found as a hull
 ///   with all of its corners, or 256 of them. Corners of a turned body are rounded, so few such bodies are exactly
@@ -91,7 +92,8 @@ struct SolidSearch {
 ///
 /// Everything found is proven in exact arithmetic, whatever the triangles are. A segment within the region that passes
 /// through a found polygon from one side to the other passes through a triangle. So does a segment that passes through
-/// the interior of a found hull or box and begins or ends outside the part. Triangles without area, slivers, duplicates
+/// the interior of a found hull or box and begins or ends outside the body, neither in it nor on its surface nor on its
+/// open side. Triangles without area, slivers, duplicates
 /// and T-junctions can keep a part from being closed, and then fewer solids are found.
 ///
 /// The result is the same on every machine for the same triangles in the same order. O(n log n): about 0.3 s for
@@ -109,10 +111,10 @@ struct FoundBoxes {
   std::vector<std::uint32_t> box_of_triangle;
 };
 
-/// Moves bodies that are upright boxes out of solids that find_solids() found in these triangles. Such a box can stand
-/// for all triangles that lie in it, and is compared faster than these, also by rays: so does Occluders::add_mesh()
-/// (visibility.hpp). O(n log n); allocates. Throws InvalidArgument for null streams, and std::bad_alloc if memory runs
-/// out; then `found` is as it was.
+/// Moves bodies that are upright boxes out of solids. `found` is the unchanged result of find_solids() for the same
+/// triangles. Such a box can stand for all triangles that lie in it, and tests of the box take less time. A call of
+/// Occluders::add_mesh() (visibility.hpp) does this. O(n log n); allocates. Throws InvalidArgument for null streams,
+/// and std::bad_alloc if memory runs out; then `found` is as it was.
 [[nodiscard]] SHAFTCULL_EXPORT FoundBoxes take_boxes(FoundSolids& found, const TriangleView& triangles);
 
 }  // namespace shaftcull

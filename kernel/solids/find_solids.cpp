@@ -20,6 +20,7 @@
 #include "solids/welded_mesh.hpp"
 #include "support/fail.hpp"
 #include "support/float_environment.hpp"
+#include "support/padding.hpp"
 #include "support/text.hpp"
 
 namespace shaftcull {
@@ -124,8 +125,11 @@ FoundSolids find(const TriangleStream& triangles, const SolidSearch& search) {
                                    "; it must be 0 or more"));
     }
     for (std::size_t k = 0; k != 3; ++k) {
-      if (!std::isnan(search.region.lo[k]) && !std::isnan(search.region.hi[k])) continue;
-      kernel::fail(InvalidArgument("SolidSearch::region has NaN on axis " + std::to_string(k)));
+      const float lo = search.region.lo[k];
+      const float hi = search.region.hi[k];
+      if (lo <= hi || search.region == kernel::empty_box) continue;
+      kernel::fail(InvalidArgument("SolidSearch::region goes from " + kernel::text(lo) + " to " + kernel::text(hi) +
+                                   " on axis " + std::to_string(k)));
     }
     return Search(triangles, search).run();
   });

@@ -58,9 +58,17 @@ WeldedMesh::WeldedMesh(const TriangleView& triangles, const Box& region) {
   }
   std::sort(corner_.begin(), corner_.end());
   corner_.erase(std::unique(corner_.begin(), corner_.end()), corner_.end());
-  leave_out_ground(region);
-  connect();
-  sort_into_parts(region);
+  std::optional<WeldedMesh> best;
+  for (const RegionFace& ground : grounds_in(region)) {
+    WeldedMesh other = *this;
+    other.divide(region, ground);
+    if (!best || other.closed_parts() > best->closed_parts()) best = std::move(other);
+  }
+  if (best) {
+    *this = std::move(*best);
+  } else {
+    divide(region, std::nullopt);
+  }
 }
 
 /// Numbers the positions. Returns the number of each vertex of each triangle.
@@ -88,22 +96,35 @@ std::vector<std::uint32_t> WeldedMesh::weld(const TriangleView& triangles) {
   return numbers;
 }
 
-/// Leaves out triangles on or beyond the face of the region on which most triangles stand.
-void WeldedMesh::leave_out_ground(const Box& region) {
-  const auto excluded = [&](const RegionFace& face, const std::array<std::uint32_t, 3>& corner) {
-    return std::count_if(corner.begin(), corner.end(),
-                         [&](std::uint32_t vertex) { return face.excludes(position_[vertex]); });
+/// How many corners of a triangle are on a face or beyond it.
+std::ptrdiff_t WeldedMesh::excluded(const RegionFace& face, const std::array<std::uint32_t, 3>& corner) const {
+  return std::count_if(corner.begin(), corner.end(),
+                       [&](std::uint32_t vertex) { return face.excludes(position_[vertex]); });
+}
+
+/// The faces of the region that may be the ground: no other face has more than twice as many triangles with an edge
+/// on it or beyond.
+std::vector<RegionFace> WeldedMesh::grounds_in(const Box& region) const {
+  std::vector<RegionFace> faces = faces_of(region);
+  const auto standing = [&](const RegionFace& face) {
+    return std::count_if(corner_.begin(), corner_.end(),
+                         [&](const auto& corner) { return excluded(face, corner) == 2; });
   };
-  std::optional<RegionFace> ground;
-  std::ptrdiff_t most = 0;
-  for (const RegionFace& face : faces_of(region)) {
-    const auto standing =
-        std::count_if(corner_.begin(), corner_.end(), [&](const auto& corner) { return excluded(face, corner) == 2; });
-    if (standing <= most) continue;
-    most = standing;
-    ground = face;
-  }
+  std::ptrdiff_t most = 1;
+  for (const RegionFace& face : faces) most = std::max(most, standing(face));
+  std::erase_if(faces, [&](const RegionFace& face) { return 2 * standing(face) < most; });
+  return faces;
+}
+
+/// Finds the parts, without triangles of the ground.
+void WeldedMesh::divide(const Box& region, const std::optional<RegionFace>& ground) {
   if (ground) std::erase_if(corner_, [&](const auto& corner) { return excluded(*ground, corner) == 3; });
+  connect();
+  sort_into_parts(region);
+}
+
+std::ptrdiff_t WeldedMesh::closed_parts() const {
+  return std::count_if(parts_.begin(), parts_.end(), [](const Part& part) { return part.is_closed; });
 }
 
 /// Finds the edge across each edge.
@@ -182,6 +203,9 @@ void WeldedMesh::sort_into_parts(const Box& region) {
       }
     }
     part.end = static_cast<std::uint32_t>(order.size());
+    std::erase_if(open_at, [&](const RegionFace& face) {  // nothing of the part is in the region
+      return face.excludes(face.is_hi ? part.box.lo : part.box.hi);
+    });
     if (!part.is_closed && !open_at.empty()) {
       part.is_closed = true;
       part.open_at = open_at.front();

@@ -48,9 +48,9 @@ class WeldedMesh {
   };
 
   /// Welds vertices at the same position, −0 and 0 being the same. Leaves out triangles that repeat a vertex, and those
-  /// that repeat a triangle. Where parts stand on a face of the region, triangles on or beyond the face on which most
-  /// of them stand are left out, too: segments within the region do not pass through them. All coordinates are finite,
-  /// and there are fewer than 2³⁰ triangles. O(n log n).
+  /// that repeat a triangle. Triangles on or beyond one face of the region, the ground, are left out, too: segments
+  /// within the region do not pass through them. It is the face that gives the most closed parts. All coordinates are
+  /// finite, and there are fewer than 2³⁰ triangles. O(n log n).
   WeldedMesh(const TriangleView& triangles, const Box& region);
 
   [[nodiscard]] std::span<const Part> parts() const noexcept { return parts_; }
@@ -70,7 +70,10 @@ class WeldedMesh {
 
  private:
   std::vector<std::uint32_t> weld(const TriangleView& triangles);
-  void leave_out_ground(const Box& region);
+  [[nodiscard]] std::ptrdiff_t excluded(const RegionFace& face, const std::array<std::uint32_t, 3>& corner) const;
+  [[nodiscard]] std::vector<RegionFace> grounds_in(const Box& region) const;
+  void divide(const Box& region, const std::optional<RegionFace>& ground);
+  [[nodiscard]] std::ptrdiff_t closed_parts() const;
   void connect();
   void pair_crowded(std::span<const std::uint32_t> edges);
   void sort_into_parts(const Box& region);

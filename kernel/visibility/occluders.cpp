@@ -270,6 +270,10 @@ std::size_t Occluders::add_mesh(const TriangleView& triangles, const SolidSearch
   });
 }
 
+std::size_t Occluders::add_mesh(const MeshView& mesh, const SolidSearch& search) {
+  return add_mesh(TriangleStream(mesh), search);
+}
+
 std::size_t Occluders::size() const noexcept { return data_ ? data_->size() : 0; }
 
 Box Occluders::box(std::size_t i) const noexcept {

@@ -261,14 +261,27 @@ TEST(FoundSolids, AreNoOpenShellsAroundSomethingButOnFloors) {
   EXPECT_EQ(counts(found_in(with_a_floor, {.region = region})), (Counts{1, 0, 0}));
 }
 
-TEST(FoundSolids, NeedARegionWithoutNaN) {
+TEST(FoundSolids, AreBuildingsAtTheRimOfASmallGround) {
+  // As many triangles stand on the face of the rim as on the ground.
+  Polygons mesh;
+  add_open_box(mesh, {{0, 0, 0}, {4, 4, 4}});
+  mesh.add({{4, 0, 0}, {9, 0, 0}, {9, 4, 0}});
+  for (const std::size_t shift : {0U, 1U, 2U}) {
+    const Polygons other = with_axes(mesh, shift, false);
+    EXPECT_EQ(counts(found_in(other, {.region = box_of(other)})), (Counts{1, 0, 0}));
+  }
+}
+
+TEST(FoundSolids, NeedARegionThatIsABox) {
   const float nan = std::nanf("");
-  for (const Box& region : {Box{{0, 0, nan}, {1, 1, 1}}, Box{{0, 0, 0}, {1, nan, 1}}}) {
+  for (const Box& region : {Box{{0, 0, nan}, {1, 1, 1}}, Box{{0, 0, 0}, {1, nan, 1}}, Box{{0, 0, 1}, {1, 1, 0}}}) {
     EXPECT_THROW(static_cast<void>(found_in({}, {.region = region})), InvalidArgument);
   }
   Polygons mesh;
   mesh.add_box({{0, 0, 0}, {1, 1, 1}});
-  EXPECT_NO_THROW(static_cast<void>(found_in(mesh, {.region = PatchSet().box()})));
+  add_open_box(mesh, {{5, 0, 0}, {6, 1, 2}});
+  EXPECT_EQ(found_in(mesh, {.region = PatchSet().box()}).hulls(), 1U);
+  EXPECT_EQ(found_in(mesh, {.region = {{9, 9, -5}, {10, 10, 5}}}).hulls(), 1U);
 }
 
 TEST(FoundSolids, OfABaffleOfTwoTrianglesIsOnePolygon) {
