@@ -103,18 +103,18 @@ struct SolidSearch {
 [[nodiscard]] SHAFTCULL_EXPORT FoundSolids find_solids(const TriangleView& triangles, const SolidSearch& search = {});
 [[nodiscard]] SHAFTCULL_EXPORT FoundSolids find_solids(const MeshView& mesh, const SolidSearch& search = {});
 
-/// Bodies that are upright boxes, and the triangles that lie in them.
+/// Bodies that are upright boxes, and the triangles that lie on their surfaces.
 struct FoundBoxes {
-  static constexpr std::uint32_t none = 0xFFFFFFFF;  ///< of a triangle that lies in no box
+  static constexpr std::uint32_t none = 0xFFFFFFFF;  ///< of a triangle that lies on no box
   std::vector<Box> boxes;                            ///< all of them, in the order of the bodies
-  /// Of each triangle, the position of a box that contains it, or `none`.
+  /// Of each triangle, the position of a box that it lies on, or `none`.
   std::vector<std::uint32_t> box_of_triangle;
 };
 
-/// Moves bodies that are upright boxes out of solids. `found` is the unchanged result of find_solids() for the same
-/// triangles. Such a box can stand for all triangles that lie in it, and tests of the box take less time. A call of
-/// Occluders::add_mesh() (visibility.hpp) does this. O(n log n); allocates. Throws InvalidArgument for null streams,
-/// and std::bad_alloc if memory runs out; then `found` is as it was.
+/// Moves bodies that are upright boxes out of solids, except for those into which some triangle reaches. `found` is the
+/// unchanged result of find_solids() for the same triangles. Such a box can stand for all triangles that lie on it, and
+/// tests of the box take less time. A call of Occluders::add_mesh() (visibility.hpp) does this. O(n log n); allocates.
+/// Throws InvalidArgument for null streams, and std::bad_alloc if memory runs out; then `found` is as it was.
 [[nodiscard]] SHAFTCULL_EXPORT FoundBoxes take_boxes(FoundSolids& found, const TriangleView& triangles);
 
 }  // namespace shaftcull

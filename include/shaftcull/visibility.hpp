@@ -196,9 +196,9 @@ class SHAFTCULL_EXPORT Occluders {
   /// numbers, and do not keep a pair from being `clear`.
   void add_found(const FoundSolids& found);
   /// Adds a mesh: its triangles in groups, as add_triangles() forms them, and the solids found in them. Bodies that are
-  /// upright boxes become solid boxes, in place of the triangles that lie in them (take_boxes()): these triangles are
-  /// in no occluder, and a pair of patches that reach into the box is not `clear`. The groups come first, then the
-  /// boxes. Errors and cost are those of find_solids() and add_triangles().
+  /// upright boxes become solid boxes, in place of the triangles that lie on them (take_boxes()); these triangles are
+  /// in no occluder. The groups come first, then the boxes. Errors and cost are those of find_solids() and
+  /// add_triangles().
   std::size_t add_mesh(const TriangleView& triangles, const SolidSearch& search = {});
   std::size_t add_mesh(const MeshView& mesh, const SolidSearch& search = {});
 

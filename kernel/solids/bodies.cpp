@@ -179,10 +179,15 @@ std::optional<std::vector<Vec3>> convex_body(const WeldedMesh& mesh, const Welde
 }
 
 std::optional<int> winding(const WeldedMesh& mesh, const WeldedMesh::Part& part, const Vec3& point) {
-  if (part.open_at && part.open_at->excludes(point)) return std::nullopt;
+  bool is_excluded = false;
   for (std::size_t k = 0; k != 3; ++k) {
-    if (point[k] < part.box.lo[k] || point[k] > part.box.hi[k]) return 0;
+    if (part.open_at && part.open_at->axis == k && part.open_at->excludes(point)) {
+      is_excluded = true;  // below the part or beside it
+    } else if (point[k] < part.box.lo[k] || point[k] > part.box.hi[k]) {
+      return 0;
+    }
   }
+  if (is_excluded) return std::nullopt;
   // Lines aslant, so that they seldom meet an edge; and away from the open side, so that they do not pass through that.
   const unsigned axis = part.open_at ? part.open_at->axis : 0;
   const bool is_up = !part.open_at || !part.open_at->is_hi;

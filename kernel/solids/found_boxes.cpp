@@ -42,11 +42,15 @@ FoundBoxes take_boxes(FoundSolids& found, const TriangleView& triangles) {
     FoundBoxes taken;
     std::vector<Vec3> hull_corners;
     std::vector<std::size_t> first_hull_corner{0};
+    const TriangleTree all(triangles);
+    const auto is_free = [&](const Box& box) {
+      return !any(compile(box, box, Contact::open), all, {.triangle_test = TriangleTest::exact});
+    };
     for (std::size_t i = 0; i != found.hulls(); ++i) {
       const std::size_t first = found.first_hull_corner[i];
       const std::span<const Vec3> corners =
           std::span(found.hull_corners).subspan(first, found.first_hull_corner[i + 1] - first);
-      if (const std::optional<Box> box = as_box(corners)) {
+      if (const std::optional<Box> box = as_box(corners); box && is_free(*box)) {
         taken.boxes.push_back(*box);
       } else {
         hull_corners.insert(hull_corners.end(), corners.begin(), corners.end());
@@ -54,11 +58,11 @@ FoundBoxes take_boxes(FoundSolids& found, const TriangleView& triangles) {
       }
     }
     taken.box_of_triangle.assign(triangles.count, FoundBoxes::none);
-    const BoxTree tree{std::span<const Box>(taken.boxes)};
+    const BoxTree boxes{std::span<const Box>(taken.boxes)};
     std::vector<std::uint32_t> candidates;
     for (std::size_t i = 0; i != triangles.count; ++i) {
       const Box around = box_around(triangles[i].vertex);
-      list(compile(around, around), tree, candidates);
+      list(compile(around, around), boxes, candidates);
       const auto holds = [&](std::uint32_t box) { return joined(taken.boxes[box], around) == taken.boxes[box]; };
       const auto holder = std::find_if(candidates.begin(), candidates.end(), holds);
       if (holder != candidates.end()) taken.box_of_triangle[i] = *holder;

@@ -58,16 +58,17 @@ WeldedMesh::WeldedMesh(const TriangleView& triangles, const Box& region) {
   }
   std::sort(corner_.begin(), corner_.end());
   corner_.erase(std::unique(corner_.begin(), corner_.end()), corner_.end());
+  connect();
   std::optional<WeldedMesh> best;
   for (const RegionFace& ground : grounds_in(region)) {
     WeldedMesh other = *this;
-    other.divide(region, ground);
+    other.sort_into_parts(region, ground);
     if (!best || other.closed_parts() > best->closed_parts()) best = std::move(other);
   }
   if (best) {
     *this = std::move(*best);
   } else {
-    divide(region, std::nullopt);
+    sort_into_parts(region, std::nullopt);
   }
 }
 
@@ -114,13 +115,6 @@ std::vector<RegionFace> WeldedMesh::grounds_in(const Box& region) const {
   for (const RegionFace& face : faces) most = std::max(most, standing(face));
   std::erase_if(faces, [&](const RegionFace& face) { return 2 * standing(face) < most; });
   return faces;
-}
-
-/// Finds the parts, without triangles of the ground.
-void WeldedMesh::divide(const Box& region, const std::optional<RegionFace>& ground) {
-  if (ground) std::erase_if(corner_, [&](const auto& corner) { return excluded(*ground, corner) == 3; });
-  connect();
-  sort_into_parts(region);
 }
 
 std::ptrdiff_t WeldedMesh::closed_parts() const {
@@ -172,14 +166,16 @@ void WeldedMesh::pair_crowded(std::span<const std::uint32_t> edges) {
   }
 }
 
-/// Sorts the triangles by parts.
-void WeldedMesh::sort_into_parts(const Box& region) {
+/// Sorts the triangles by parts, and leaves out those of the ground. Edges were paired with them: so the bodies on both
+/// sides of an edge are not joined where their faces on the ground are left out.
+void WeldedMesh::sort_into_parts(const Box& region, const std::optional<RegionFace>& ground) {
   const std::size_t count = corner_.size();
+  const auto is_of_ground = [&](std::uint32_t triangle) { return ground && excluded(*ground, corner_[triangle]) == 3; };
   std::vector<std::uint32_t> order;  // new order of the triangles
   std::vector<std::uint32_t> place(count, none);
   order.reserve(count);
   for (std::uint32_t seed = 0; seed != count; ++seed) {
-    if (place[seed] != none) continue;
+    if (place[seed] != none || is_of_ground(seed)) continue;
     Part part{static_cast<std::uint32_t>(order.size()), 0, {start(3 * seed), start(3 * seed)}, true, std::nullopt};
     std::vector<RegionFace> open_at = faces_of(region);  // those beyond which all edges are that have none across
     place[seed] = part.first;
@@ -190,7 +186,8 @@ void WeldedMesh::sort_into_parts(const Box& region) {
           part.box.lo[k] = std::min(part.box.lo[k], start(edge)[k]);
           part.box.hi[k] = std::max(part.box.hi[k], start(edge)[k]);
         }
-        const std::uint32_t other = across_[edge];
+        const bool has_other = across_[edge] != none && !is_of_ground(across_[edge] / 3);
+        const std::uint32_t other = has_other ? across_[edge] : none;
         if (other == none) {
           part.is_closed = false;
           std::erase_if(open_at, [&](const RegionFace& face) {
@@ -212,13 +209,13 @@ void WeldedMesh::sort_into_parts(const Box& region) {
     }
     parts_.push_back(part);
   }
-  std::vector<std::array<std::uint32_t, 3>> corner(count);
-  std::vector<std::uint32_t> across(edges(), none);
-  for (std::uint32_t to = 0; to != count; ++to) {
+  std::vector<std::array<std::uint32_t, 3>> corner(order.size());
+  std::vector<std::uint32_t> across(3 * order.size(), none);
+  for (std::uint32_t to = 0; to != order.size(); ++to) {
     corner[to] = corner_[order[to]];
     for (std::uint32_t i = 0; i != 3; ++i) {
       const std::uint32_t other = across_[3 * order[to] + i];
-      if (other != none) across[3 * to + i] = 3 * place[other / 3] + other % 3;
+      if (other != none && place[other / 3] != none) across[3 * to + i] = 3 * place[other / 3] + other % 3;
     }
   }
   corner_ = std::move(corner);

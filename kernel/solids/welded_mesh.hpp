@@ -72,11 +72,10 @@ class WeldedMesh {
   std::vector<std::uint32_t> weld(const TriangleView& triangles);
   [[nodiscard]] std::ptrdiff_t excluded(const RegionFace& face, const std::array<std::uint32_t, 3>& corner) const;
   [[nodiscard]] std::vector<RegionFace> grounds_in(const Box& region) const;
-  void divide(const Box& region, const std::optional<RegionFace>& ground);
   [[nodiscard]] std::ptrdiff_t closed_parts() const;
   void connect();
   void pair_crowded(std::span<const std::uint32_t> edges);
-  void sort_into_parts(const Box& region);
+  void sort_into_parts(const Box& region, const std::optional<RegionFace>& ground);
 
   std::vector<Vec3> position_;
   std::vector<std::array<std::uint32_t, 3>> corner_;  ///< of each triangle, in the order of the parts

@@ -120,7 +120,7 @@ class OccluderMaker {
   }
 
   /// Finds solids in all other triangles. They hide, and are no occluders: their triangles are. Only boxes take the
-  /// place of the triangles that lie in them.
+  /// place of the triangles that lie on them.
   void find_others(const SeesChoice& choice) {
     std::vector<Triangle> triangles;
     std::vector<std::uint32_t> places;
@@ -143,7 +143,7 @@ class OccluderMaker {
       if (boxes.box_of_triangle[i] != FoundBoxes::none) of_box[boxes.box_of_triangle[i]].push_back(places[i]);
     }
     for (std::size_t i = 0; i != of_box.size(); ++i) {
-      if (of_box[i].empty()) continue;  // it lies in another one
+      if (of_box[i].empty()) continue;  // its triangles lie on another one
       take(boxes_, boxes.boxes[i], std::move(of_box[i]));
     }
     scene_.occluders.add_found(found);

@@ -272,6 +272,19 @@ TEST(FoundSolids, AreBuildingsAtTheRimOfASmallGround) {
   }
 }
 
+TEST(FoundSolids, AreFlushWallsAndSlabsOfARoomWithinItsRegion) {
+  // Where triangles of the ground are left out, faces that touch must not join two bodies.
+  Polygons mesh;
+  mesh.add_box({{0, 0, 0}, {9, 5, 1}});
+  mesh.add_box({{0, 0, 4}, {9, 5, 5}});
+  mesh.add_box({{0, 0, 1}, {1, 5, 4}});
+  mesh.add_box({{8, 0, 1}, {9, 5, 4}});
+  mesh.add_box({{1, 0, 1}, {8, 1, 4}});
+  mesh.add_box({{1, 4, 1}, {8, 5, 4}});
+  EXPECT_EQ(counts(found_in(mesh)), (Counts{6, 0, 0}));
+  EXPECT_EQ(counts(found_in(mesh, {.region = box_of(mesh)})), (Counts{6, 0, 0}));
+}
+
 TEST(FoundSolids, NeedARegionThatIsABox) {
   const float nan = std::nanf("");
   for (const Box& region : {Box{{0, 0, nan}, {1, 1, 1}}, Box{{0, 0, 0}, {1, nan, 1}}, Box{{0, 0, 1}, {1, 1, 0}}}) {
@@ -595,8 +608,8 @@ TEST(FoundBoxes, AreTakenFromOtherBodies) {
   turned.add_box({{10, 0, 0}, {11, 2, 3}});
   turned.turn(0.5, 0);
   mesh.triangles.insert(mesh.triangles.end(), turned.triangles.begin(), turned.triangles.end());
-  mesh.add({{0, 0, 1}, {1, 0, 1}, {1, 2, 1}});  // within the first box
-  mesh.add({{0, 0, 1}, {1, 0, 1}, {2, 2, 1}});  // leaves it
+  mesh.add({{0.25F, 0.25F, 3}, {0.75F, 0.25F, 3}, {0.75F, 1, 3}});  // on the first box
+  mesh.add({{0.25F, 0.25F, 3}, {5, 0.25F, 3}, {5, 1, 3}});          // touches it
   const TriangleStream triangles{std::span<const Triangle>(mesh.triangles)};
   FoundSolids found = find_solids(triangles);
   ASSERT_EQ(found.hulls(), 2U);
@@ -610,6 +623,19 @@ TEST(FoundBoxes, AreTakenFromOtherBodies) {
   of_triangle.push_back(FoundBoxes::none);
   EXPECT_EQ(boxes.box_of_triangle, of_triangle);
   EXPECT_TRUE(take_boxes(found, triangles.view()).boxes.empty());
+}
+
+TEST(FoundBoxes, AreNotThoseIntoWhichSomethingReaches) {
+  Polygons mesh;
+  mesh.add_box({{0, 0, 0}, {9, 9, 1}});     // a slab
+  mesh.add_box({{2, 2, 0.5F}, {3, 3, 4}});  // a wall that is sunk into it
+  mesh.add_box({{20, 0, 0}, {21, 2, 3}});
+  const TriangleStream triangles{std::span<const Triangle>(mesh.triangles)};
+  FoundSolids found = find_solids(triangles);
+  ASSERT_EQ(found.hulls(), 3U);
+  // The slab's face goes through the wall.
+  EXPECT_EQ(take_boxes(found, triangles.view()).boxes, (std::vector<Box>{{{20, 0, 0}, {21, 2, 3}}}));
+  EXPECT_EQ(found.hulls(), 2U);
 }
 
 }  // namespace
