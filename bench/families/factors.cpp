@@ -2,7 +2,7 @@
 /// factors/…: view factors of all pairs of a city, on one thread: blocks of 15 × 15 m every 30 m, 9 to 24 m high, and
 /// the ground, in quadrilaterals of 7.5 m, as View3D was measured on.
 ///
-/// factors/city/N has about N patches: visibility, integrals and rays, but not what find_solids() takes. An item is a
+/// factors/city/N has about N patches: visibility, integrals and rays, but not what add_mesh() takes. An item is a
 /// patch. factors/rays/S casts S rays between the undecided pairs of the smaller one, in visible_fractions(); an item
 /// is a pair. factors/lit/S casts S rays from its patches to 16 places of the sun, in lit_fractions(); an item is a
 /// patch and a place.
