@@ -168,7 +168,8 @@ std::optional<std::vector<Vec3>> convex_body(const WeldedMesh& mesh, const Welde
   for (const Vec3& corner : corners) {
     for (std::size_t k = 0; k != 3; ++k) middle[k] += corner[k] / static_cast<double>(corners.size());
   }
-  for (double share = 0x1p-22; share <= 0x1p-8; share *= 4) {
+  for (int exponent = -22; exponent <= -8; exponent += 2) {
+    const double share = std::ldexp(1.0, exponent);
     // A body that is turned about one axis keeps its place along it.
     for (const unsigned axes : {0b011U, 0b101U, 0b110U, 0b111U}) {
       std::vector<Vec3> moved = moved_towards(middle, corners, share, axes);

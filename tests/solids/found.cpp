@@ -368,7 +368,9 @@ TEST(FoundSolids, AreBodiesThatShareVerticesAndFaces) {
   EXPECT_EQ(counts(found_in(row)), (Counts{5, 0, 0}));
   Polygons block;
   for (int i = 0; i != 27; ++i) {
-    const Vec3 lo{static_cast<float>(i % 3), static_cast<float>(i / 3 % 3), static_cast<float>(i / 9)};
+    const int layer = i / 9;
+    const int row = i / 3 % 3;
+    const Vec3 lo{static_cast<float>(i % 3), static_cast<float>(row), static_cast<float>(layer)};
     block.add_box({lo, {lo[0] + 1, lo[1] + 1, lo[2] + 1}});
   }
   EXPECT_EQ(counts(found_in(block)), (Counts{27, 0, 0}));
@@ -378,7 +380,8 @@ TEST(FoundSolids, OfATurnedCityInOneMeshAreItsBuildings) {
   Polygons mesh;
   for (int i = 0; i != 100; ++i) {
     const auto x = static_cast<float>(30 * (i % 10));
-    const auto y = static_cast<float>(30 * (i / 10));
+    const int row = i / 10;
+    const auto y = static_cast<float>(30 * row);
     mesh.add_box({{x, y, 0}, {x + 20, y + 15, static_cast<float>(10 + i * 7 % 40)}});
   }
   mesh.add({{-30, -30, 0}, {330, -30, 0}, {330, 330, 0}, {-30, 330, 0}});
