@@ -369,8 +369,8 @@ TEST(FoundSolids, AreBodiesThatShareVerticesAndFaces) {
   Polygons block;
   for (int i = 0; i != 27; ++i) {
     const int layer = i / 9;
-    const int row = i / 3 % 3;
-    const Vec3 lo{static_cast<float>(i % 3), static_cast<float>(row), static_cast<float>(layer)};
+    const int column = i / 3 % 3;
+    const Vec3 lo{static_cast<float>(i % 3), static_cast<float>(column), static_cast<float>(layer)};
     block.add_box({lo, {lo[0] + 1, lo[1] + 1, lo[2] + 1}});
   }
   EXPECT_EQ(counts(found_in(block)), (Counts{27, 0, 0}));
