@@ -945,10 +945,10 @@ typedef struct shaftcull_found_solids {
 /// solid (find_solids() in solids.hpp). The solids found make pairs occluded, but they are not occluders: add the
 /// triangles as well, with shaftcull_occluders_add_triangles(). Solids narrower than `least_width`, 0 or more, are left
 /// out. If `bodies` is 1, closed surfaces that face outwards are bodies. If it is 0, only polygons are found; use this
-/// for triangles without a reliable orientation. If all questions are about pairs of `a` and `b`, pass these patches:
-/// then bodies may be open on or beyond one face of the box around them, as buildings without a bottom are on level
-/// ground. If `a` is NULL, bodies must be closed. `b` may be NULL. Writes the numbers of solids found to `found`, which
-/// may be NULL. O(n log n); allocates.
+/// for triangles without a reliable orientation. Pass patches as `a` and `b` if only these are compared: then bodies
+/// may be open on or beyond one face of the box around them, as buildings without a bottom are on level ground. If both
+/// are NULL, bodies must be closed. If only `b` is NULL, all patches are those of `a`; `b` without `a` is refused.
+/// Writes the numbers of solids found to `found`, which may be NULL. O(n log n); allocates.
 SHAFTCULL_API shaftcull_status shaftcull_occluders_find_solids(shaftcull_occluders* occluders,
                                                                const shaftcull_source* triangles, float least_width,
                                                                uint32_t bodies, const shaftcull_patches* a,

@@ -59,8 +59,8 @@ command_tidy() {
   if [[ $# -eq 0 || $1 == --changed ]]; then
     mapfile -t sources < <(grep -o '"file": "[^"]*"' "$root/build/tidy/compile_commands.json" | cut -d '"' -f 4 |
       grep -v "^$root/build/" | sort -u)
-    # Following all paths through a source takes three times as long as everything else that is looked for, so that is left to
-    # sources that are named.
+    # Following all paths through a source takes three times as long as everything else that is looked for, so that is done
+    # only for sources that are named.
     for word in -Xclang -analyzer-config -Xclang mode=shallow; do how+=("--extra-arg=$word"); done
   fi
   if [[ ${1:-} == --changed ]]; then

@@ -64,7 +64,9 @@ struct SolidSearch {
   bool bodies = true;
   /// The box in which all patches lie; for two sets joined(a.box(), b.box()). Each body may be open on or beyond one
   /// face of it, as buildings without a bottom are on level ground. A patch outside the region may be reported as
-  /// occluded although it is not. By default, patches may lie anywhere, and bodies must be closed.
+  /// occluded although it is not. By default, patches may lie anywhere, and bodies must be closed;
+  /// so they must with the empty box, that of no patches. Rays of lit_fractions() leave the region: let it contain the
+  /// mesh.
   Box region{{-unbounded, -unbounded, -unbounded}, {unbounded, unbounded, unbounded}};
 
   static constexpr float unbounded = std::numeric_limits<float>::infinity();  ///< where a region has no end
@@ -76,8 +78,9 @@ struct SolidSearch {
 /// A *part* is a set of triangles that are connected across edges. A part is *closed* if each of its edges has a
 /// triangle on both sides, and both run along it in opposite directions. An edge on or beyond a face of
 /// SolidSearch::region needs no second triangle, as long as one face serves all such edges of the part. Triangles on or
-/// beyond one face, usually the ground, are left out of the search, since they hide nothing within the region. It is
-/// the face that gives the most closed parts.
+/// beyond one face, usually the ground, are left out of the search, since they hide nothing within the region. Of the
+/// faces on which most triangles stand, it is the one that gives the most closed parts. If no triangle stands on a
+/// face, none is left out.
 ///
 /// * A closed part whose faces look outwards is the surface of a body of matter. If it is convex, it is found as a hull
 ///   with all of its corners, or 256 of them. Corners of a turned body are rounded, so few such bodies are exactly
@@ -92,9 +95,9 @@ struct SolidSearch {
 ///
 /// Everything found is proven in exact arithmetic, whatever the triangles are. A segment within the region that passes
 /// through a found polygon from one side to the other passes through a triangle. So does a segment that passes through
-/// the interior of a found hull or box and begins or ends outside the body, neither in it nor on its surface nor on its
-/// open side. Triangles without area, slivers, duplicates
-/// and T-junctions can keep a part from being closed, and then fewer solids are found.
+/// the interior of a found hull or box and has an end outside the body. An end in the body, on its surface or on its
+/// open side is not outside. Triangles without area, slivers, duplicates and T-junctions can keep a part from being
+/// closed, and then fewer solids are found.
 ///
 /// The result is the same on every machine for the same triangles in the same order. O(n log n): about 0.3 s for
 /// 100,000 triangles. Allocates about 500 bytes per triangle while it runs. Throws BadBound, with the position, for a
@@ -105,9 +108,9 @@ struct SolidSearch {
 
 /// Bodies that are upright boxes, and the triangles that lie on their surfaces.
 struct FoundBoxes {
-  static constexpr std::uint32_t none = 0xFFFFFFFF;  ///< of a triangle that lies on no box
+  static constexpr std::uint32_t none = 0xFFFFFFFF;  ///< the triangle lies on no box
   std::vector<Box> boxes;                            ///< all of them, in the order of the bodies
-  /// Of each triangle, the position of a box that it lies on, or `none`.
+  /// For each triangle, the position in `boxes` of one box that it lies on, or `none`.
   std::vector<std::uint32_t> box_of_triangle;
 };
 

@@ -183,7 +183,7 @@ std::optional<int> winding(const WeldedMesh& mesh, const WeldedMesh::Part& part,
   bool is_excluded = false;
   for (std::size_t k = 0; k != 3; ++k) {
     if (part.open_at && part.open_at->axis == k && part.open_at->excludes(point)) {
-      is_excluded = true;  // below the part or beside it
+      is_excluded = true;  // on or beyond the open side
     } else if (point[k] < part.box.lo[k] || point[k] > part.box.hi[k]) {
       return 0;
     }
@@ -219,22 +219,28 @@ std::vector<bool> shells(const WeldedMesh& mesh) {
   const auto lowest = [&](std::uint32_t i) { return parts[i].box.lo[0]; };
   std::sort(order.begin(), order.end(),
             [&](std::uint32_t a, std::uint32_t b) { return std::pair(lowest(a), a) < std::pair(lowest(b), b); });
-  const auto holds = [](const Box& outer, const Box& inner) {
+  const auto is_open = [](const WeldedMesh::Part& part, std::size_t k, bool is_hi) {
+    return part.open_at && part.open_at->axis == k && part.open_at->is_hi == is_hi;
+  };
+  const auto holds = [&](const WeldedMesh::Part& outer, const Box& inner) {
     for (std::size_t k = 0; k != 3; ++k) {
-      if (inner.lo[k] < outer.lo[k] || inner.hi[k] > outer.hi[k]) return false;
+      if (inner.lo[k] < outer.box.lo[k] && !is_open(outer, k, false)) return false;
+      if (inner.hi[k] > outer.box.hi[k] && !is_open(outer, k, true)) return false;
     }
     return true;
   };
   std::vector<bool> is_shell(parts.size(), false);
   for (std::uint32_t i = 0; i != parts.size(); ++i) {
     if (!parts[i].is_closed) continue;
-    const auto first = std::lower_bound(order.begin(), order.end(), lowest(i),
-                                        [&](std::uint32_t j, float lo) { return lowest(j) < lo; });
+    const auto first = is_open(parts[i], 0, false)
+                           ? order.begin()
+                           : std::lower_bound(order.begin(), order.end(), lowest(i),
+                                              [&](std::uint32_t j, float lo) { return lowest(j) < lo; });
     is_shell[i] = std::any_of(
         first,
         std::partition_point(first, order.end(), [&](std::uint32_t j) { return lowest(j) <= parts[i].box.hi[0]; }),
         [&](std::uint32_t j) {
-          return j != i && holds(parts[i].box, parts[j].box) && is_within(mesh, parts[j], parts[i]);
+          return j != i && holds(parts[i], parts[j].box) && is_within(mesh, parts[j], parts[i]);
         });
   }
   return is_shell;

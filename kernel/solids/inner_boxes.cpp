@@ -79,8 +79,8 @@ Grid grid_of(const WeldedMesh& mesh, const WeldedMesh::Part& part) {
   for (unsigned k = 0; k != 3; ++k) {
     std::vector<float>& lines = grid[k];
     for (std::uint32_t edge = 3 * part.first; edge != 3 * part.end; ++edge) {
-      const bool is_beyond = part.open_at && part.open_at->axis == k && part.open_at->excludes(mesh.start(edge));
-      lines.push_back(is_beyond ? part.open_at->coordinate : mesh.start(edge)[k]);
+      const bool is_excluded = part.open_at && part.open_at->axis == k && part.open_at->excludes(mesh.start(edge));
+      lines.push_back(is_excluded ? part.open_at->coordinate : mesh.start(edge)[k]);
     }
     std::sort(lines.begin(), lines.end());
     lines.erase(std::unique(lines.begin(), lines.end()), lines.end());

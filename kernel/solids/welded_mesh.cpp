@@ -21,6 +21,8 @@ Direction cross(const Direction& p, const Direction& q) noexcept {
   return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
 }
 
+constexpr double coincident = 1e-4;  // of turns: the back of another body
+
 /// How far a triangle is turned about an edge, from the back of a first triangle around to its front: ascends with the
 /// angle, from 0, not included, to 4. `far_first` and `far` are their corners that are not on the edge.
 double turn_behind(const Vec3& start, const Vec3& end, const Vec3& far_first, const Vec3& far) noexcept {
@@ -31,9 +33,13 @@ double turn_behind(const Vec3& start, const Vec3& end, const Vec3& far_first, co
   const double x = dot(inwards, to);
   const double y = -dot(normal, to) * std::sqrt(dot(along, along));
   const double part = y / (std::fabs(x) + std::fabs(y));
-  constexpr double coincident = 1e-4;  // the back of another body
   if (x >= 0) return part > coincident ? part : 4 + part;
   return 2 - part;
+}
+
+/// Whether two triangles at an edge lie on each other and face apart.
+bool are_back_to_back(const Vec3& start, const Vec3& end, const Vec3& far_first, const Vec3& far) noexcept {
+  return turn_behind(start, end, far_first, far) > 4 - coincident;
 }
 
 }  // namespace
@@ -103,18 +109,22 @@ std::ptrdiff_t WeldedMesh::excluded(const RegionFace& face, const std::array<std
                        [&](std::uint32_t vertex) { return face.excludes(position_[vertex]); });
 }
 
-/// The faces of the region that may be the ground: no other face has more than twice as many triangles with an edge
-/// on it or beyond.
+/// The faces of the region that may be the ground: those on or beyond which the most triangles have an edge, or half as
+/// many.
 std::vector<RegionFace> WeldedMesh::grounds_in(const Box& region) const {
-  std::vector<RegionFace> faces = faces_of(region);
-  const auto standing = [&](const RegionFace& face) {
-    return std::count_if(corner_.begin(), corner_.end(),
-                         [&](const auto& corner) { return excluded(face, corner) == 2; });
-  };
+  const std::vector<RegionFace> faces = faces_of(region);
+  std::array<std::ptrdiff_t, 6> standing{};
   std::ptrdiff_t most = 1;
-  for (const RegionFace& face : faces) most = std::max(most, standing(face));
-  std::erase_if(faces, [&](const RegionFace& face) { return 2 * standing(face) < most; });
-  return faces;
+  for (std::size_t f = 0; f != faces.size(); ++f) {
+    standing[f] = std::count_if(corner_.begin(), corner_.end(),
+                                [&](const auto& corner) { return excluded(faces[f], corner) == 2; });
+    most = std::max(most, standing[f]);
+  }
+  std::vector<RegionFace> grounds;
+  for (std::size_t f = 0; f != faces.size(); ++f) {
+    if (2 * standing[f] >= most) grounds.push_back(faces[f]);
+  }
+  return grounds;
 }
 
 std::ptrdiff_t WeldedMesh::closed_parts() const {
@@ -166,16 +176,39 @@ void WeldedMesh::pair_crowded(std::span<const std::uint32_t> edges) {
   }
 }
 
+/// Parts triangles at edges on or beyond a face of the region: those of the ground from all others, and walls back to
+/// back, of two bodies that are open there.
+void WeldedMesh::part_at_faces(std::span<const RegionFace> faces, const std::vector<bool>& is_of_ground) {
+  for (std::uint32_t edge = 0; edge != edges(); ++edge) {
+    const std::uint32_t other = across_[edge];
+    if (other == none) continue;
+    const bool is_at_face = std::any_of(faces.begin(), faces.end(), [&](const RegionFace& face) {
+      return face.excludes(start(edge)) && face.excludes(start(next(edge)));
+    });
+    const bool are_parted = is_of_ground[edge / 3] != is_of_ground[other / 3];
+    if (!are_parted && (!is_at_face || !are_back_to_back(start(edge), start(next(edge)), start(next(next(edge))),
+                                                         start(next(next(other)))))) {
+      continue;
+    }
+    across_[edge] = none;
+    across_[other] = none;
+  }
+}
+
 /// Sorts the triangles by parts, and leaves out those of the ground. Edges were paired with them: so the bodies on both
 /// sides of an edge are not joined where their faces on the ground are left out.
 void WeldedMesh::sort_into_parts(const Box& region, const std::optional<RegionFace>& ground) {
   const std::size_t count = corner_.size();
-  const auto is_of_ground = [&](std::uint32_t triangle) { return ground && excluded(*ground, corner_[triangle]) == 3; };
+  std::vector<bool> is_of_ground(count, false);
+  if (ground) {
+    for (std::size_t t = 0; t != count; ++t) is_of_ground[t] = excluded(*ground, corner_[t]) == 3;
+  }
+  part_at_faces(faces_of(region), is_of_ground);
   std::vector<std::uint32_t> order;  // new order of the triangles
   std::vector<std::uint32_t> place(count, none);
   order.reserve(count);
   for (std::uint32_t seed = 0; seed != count; ++seed) {
-    if (place[seed] != none || is_of_ground(seed)) continue;
+    if (place[seed] != none || is_of_ground[seed]) continue;
     Part part{static_cast<std::uint32_t>(order.size()), 0, {start(3 * seed), start(3 * seed)}, true, std::nullopt};
     std::vector<RegionFace> open_at = faces_of(region);  // those beyond which all edges are that have none across
     place[seed] = part.first;
@@ -186,8 +219,7 @@ void WeldedMesh::sort_into_parts(const Box& region, const std::optional<RegionFa
           part.box.lo[k] = std::min(part.box.lo[k], start(edge)[k]);
           part.box.hi[k] = std::max(part.box.hi[k], start(edge)[k]);
         }
-        const bool has_other = across_[edge] != none && !is_of_ground(across_[edge] / 3);
-        const std::uint32_t other = has_other ? across_[edge] : none;
+        const std::uint32_t other = across_[edge];
         if (other == none) {
           part.is_closed = false;
           std::erase_if(open_at, [&](const RegionFace& face) {

@@ -28,7 +28,7 @@ struct RegionFace {
   }
 };
 
-/// All six.
+/// The six faces of a region.
 [[nodiscard]] std::vector<RegionFace> faces_of(const Box& region);
 
 /// Triangle t has the edges 3 t, 3 t + 1 and 3 t + 2: edge 3 t + i leads from its vertex i to the next one.
@@ -41,16 +41,16 @@ class WeldedMesh {
     std::uint32_t first;
     std::uint32_t end;
     Box box;
-    /// Whether every edge has another one across, or lies on or beyond one face of the region. Then the part, with
-    /// something beyond that face, is the boundary of a solid.
+    /// Whether every edge has another one across, or lies on or beyond one face of the region. Then the part and a
+    /// surface beyond that face bound a solid.
     bool is_closed;
     std::optional<RegionFace> open_at;  ///< that face, if the part has such edges
   };
 
   /// Welds vertices at the same position, −0 and 0 being the same. Leaves out triangles that repeat a vertex, and those
   /// that repeat a triangle. Triangles on or beyond one face of the region, the ground, are left out, too: segments
-  /// within the region do not pass through them. It is the face that gives the most closed parts. All coordinates are
-  /// finite, and there are fewer than 2³⁰ triangles. O(n log n).
+  /// within the region do not pass through them. Of the faces on which most triangles stand, it is the one that gives
+  /// the most closed parts. All coordinates are finite, and there are fewer than 2³⁰ triangles. O(n log n).
   WeldedMesh(const TriangleView& triangles, const Box& region);
 
   [[nodiscard]] std::span<const Part> parts() const noexcept { return parts_; }
@@ -75,6 +75,7 @@ class WeldedMesh {
   [[nodiscard]] std::ptrdiff_t closed_parts() const;
   void connect();
   void pair_crowded(std::span<const std::uint32_t> edges);
+  void part_at_faces(std::span<const RegionFace> faces, const std::vector<bool>& is_of_ground);
   void sort_into_parts(const Box& region, const std::optional<RegionFace>& ground);
 
   std::vector<Vec3> position_;

@@ -16,16 +16,14 @@
 #include "shaftcull/solids.hpp"
 #include "solids/bodies.hpp"
 #include "support/fail.hpp"
+#include "support/padding.hpp"
 #include "visibility/occluders.hpp"
 
 namespace shaftcull::kernel {
 
 /// Grows by points.
 struct PointBox {
-  Box box{{std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity(),
-           std::numeric_limits<float>::infinity()},
-          {-std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(),
-           -std::numeric_limits<float>::infinity()}};
+  Box box = empty_box;
 
   void add(const Vec3& point) noexcept {
     for (std::size_t k = 0; k != 3; ++k) {
@@ -106,17 +104,18 @@ class OccluderAddition {
     data_.polygon_corners.insert(data_.polygon_corners.end(), corners.begin(), corners.end());
     data_.first_polygon_corner.push_back(data_.polygon_corners.size());
   }
-  /// A solid box, likewise.
+  /// A solid box that makes pairs occluded; it may be an occluder or not.
   void add_solid(const Box& solid) {
     note(solid);
     data_.solids.push_back(solid);
   }
-  /// A box inside a solid that has other faces, likewise.
+  /// A box inside a solid that has other faces: it makes pairs occluded, and is no occluder.
   void add_inner_box(const Box& box) {
     note(box);
     data_.inner_boxes.push_back(box);
   }
-  /// A solid hull, likewise, and the box inside it: this may be a part of a larger box, and hides whole groups quickly.
+  /// A solid hull that makes pairs occluded, and the box inside it: this may be a part of a larger box, and hides whole
+  /// groups quickly.
   void add_solid_hull(const Box& around, std::span<const Vec3> corners) {
     const Box inside = inscribed_box(spread_points(corners, ConvexHull::max_vertices));
     if (inside == around) return add_solid(inside);

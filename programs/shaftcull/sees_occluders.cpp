@@ -119,32 +119,35 @@ class OccluderMaker {
     scene_.occluders.add_found(hull);
   }
 
-  /// Finds solids in all other triangles. They hide, and are no occluders: their triangles are. Only boxes take the
-  /// place of the triangles that lie on them.
+  /// Finds solids in all other triangles. They make pairs occluded, but are no occluders, except for boxes, which take
+  /// the place of the triangles that lie on them.
   void find_others(const SeesChoice& choice) {
-    std::vector<Triangle> triangles;
-    std::vector<std::uint32_t> places;
-    for (std::uint32_t i = 0; i != scene_.mesh.triangles.size(); ++i) {
-      if (is_covered_[i]) continue;
-      triangles.push_back({scene_.mesh.triangles[i].vertex});
-      places.push_back(i);
+    std::vector<Triangle> all;
+    std::vector<Triangle> others;
+    for (std::size_t i = 0; i != scene_.mesh.triangles.size(); ++i) {
+      all.push_back({scene_.mesh.triangles[i].vertex});
+      if (!is_covered_[i]) others.push_back(all.back());
     }
-    const TriangleStream stream(triangles);
     // Patches that see on both sides have no inside.
     const Box region = std::accumulate(scene_.boxes.begin(), scene_.boxes.end(), scene_.boxes.front(), joined);
-    FoundSolids found = find_solids(
-        stream, {.least_width = small_patch(scene_.boxes) / 2, .bodies = !choice.two_sided, .region = region});
+    FoundSolids found =
+        find_solids(TriangleStream(others),
+                    {.least_width = small_patch(scene_.boxes) / 2, .bodies = !choice.two_sided, .region = region});
     scene_.solids.hulls = found.hulls();
     scene_.solids.polygons = found.polygons();
     scene_.solids.inner_boxes = found.inner_boxes.size();
-    const FoundBoxes boxes = take_boxes(found, stream.view());
+    const FoundBoxes boxes = take_boxes(found, TriangleStream(all));
     std::vector<std::vector<std::uint32_t>> of_box(boxes.boxes.size());
-    for (std::size_t i = 0; i != places.size(); ++i) {
-      if (boxes.box_of_triangle[i] != FoundBoxes::none) of_box[boxes.box_of_triangle[i]].push_back(places[i]);
+    for (std::uint32_t i = 0; i != all.size(); ++i) {
+      const std::uint32_t box = boxes.box_of_triangle[i];
+      if (box != FoundBoxes::none && !is_covered_[i]) of_box[box].push_back(i);
     }
     for (std::size_t i = 0; i != of_box.size(); ++i) {
-      if (of_box[i].empty()) continue;  // its triangles lie on another one
-      take(boxes_, boxes.boxes[i], std::move(of_box[i]));
+      if (of_box[i].empty()) {  // all of its triangles lie on others, too: it hides, and is no occluder
+        found.inner_boxes.push_back(boxes.boxes[i]);
+      } else {
+        take(boxes_, boxes.boxes[i], std::move(of_box[i]));
+      }
     }
     scene_.occluders.add_found(found);
   }

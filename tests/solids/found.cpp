@@ -285,6 +285,46 @@ TEST(FoundSolids, AreFlushWallsAndSlabsOfARoomWithinItsRegion) {
   EXPECT_EQ(counts(found_in(mesh, {.region = box_of(mesh)})), (Counts{6, 0, 0}));
 }
 
+TEST(FoundSolids, AreOpenBuildingsThatShareAWall) {
+  // At the foot of the wall, two walls meet back to back, and no ground is between them.
+  for (const float height : {6.0F, 8.0F}) {
+    for (const double angle : {0.0, 0.5}) {
+      Polygons mesh;
+      add_open_box(mesh, {{0, 0, 0}, {4, 5, 6}});
+      add_open_box(mesh, {{4, 0, 0}, {8, 5, height}});
+      add_open_box(mesh, {{8, 0, 0}, {12, 5, 6}});
+      mesh.turn(angle, 0);
+      EXPECT_EQ(counts(found_in(mesh, {.region = {{-99, -99, 0}, {99, 99, 99}}})), (Counts{3, 0, 0}));
+    }
+  }
+}
+
+TEST(FoundSolids, AreInnerBoxesOfBodiesThatAreOpenOnAnySide) {
+  Polygons mesh;
+  mesh.add_l_block(1, 1, 0, 3);
+  mesh.triangles.resize(mesh.triangles.size() - 4);
+  for (const std::size_t shift : {0U, 1U, 2U}) {
+    for (const bool is_mirrored : {false, true}) {
+      Box region = SolidSearch{}.region;
+      (is_mirrored ? region.hi : region.lo)[(2 + 3 - shift) % 3] = 0;
+      const FoundSolids found = found_in(with_axes(mesh, shift, is_mirrored), {.region = region});
+      EXPECT_EQ(found.inner_boxes.size(), 2U);
+    }
+  }
+}
+
+TEST(FoundSolids, AreNoOpenShellsAroundSomethingThatReachesBelowTheGround) {
+  Polygons mesh;
+  add_open_box(mesh, {{0, 0, 0}, {6, 5, 3}});
+  mesh.add_box({{1, 1, -1}, {2, 2, 1}});
+  for (const std::size_t shift : {0U, 1U, 2U}) {
+    Box region{{-9, -9, -9}, {9, 9, 9}};
+    region.lo[(2 + 3 - shift) % 3] = 0;
+    const FoundSolids found = found_in(with_axes(mesh, shift, false), {.region = region});
+    EXPECT_EQ(counts(found), (Counts{1, 5, 0}));
+  }
+}
+
 TEST(FoundSolids, NeedARegionThatIsABox) {
   const float nan = std::nanf("");
   for (const Box& region : {Box{{0, 0, nan}, {1, 1, 1}}, Box{{0, 0, 0}, {1, nan, 1}}, Box{{0, 0, 1}, {1, 1, 0}}}) {

@@ -303,6 +303,13 @@ constexpr Adding addings[] = {
        const Triangle triangle{{{{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}}}};
        return to.add_triangles(TriangleStream{std::span<const Triangle>(&triangle, 1)}.view());
      }},
+    {"a mesh",
+     [](Occluders& to, float x) {
+       Polygons mesh;
+       mesh.add_box({{x, 0, 0}, {x + 1, 1, 1}});
+       mesh.add({{x, 0, 2}, {x + 1, 0, 2}, {x, 1, 2}});
+       return to.add_mesh(TriangleStream{std::span<const Triangle>(mesh.triangles)});
+     }},
 };
 
 void expect_same(const Occluders& a, const Occluders& b) {
@@ -327,6 +334,22 @@ void expect_same(const Occluders& a, const Occluders& b) {
     EXPECT_EQ(of_a.counts, of_b.counts);
     EXPECT_EQ(of_a.undecided, of_b.undecided);
     EXPECT_EQ(of_a.candidates, of_b.candidates);
+  }
+}
+
+TEST(VisibilityMemory, FoundSolidsAreWhatTheyWereWhereMemoryRunsOut) {
+  Polygons mesh;
+  mesh.add_box({{0, 0, 0}, {1, 1, 1}});
+  mesh.add_column(5, 5, 1, 6, 0, 1);
+  const TriangleStream triangles{std::span<const Triangle>(mesh.triangles)};
+  const FoundSolids right = find_solids(triangles);
+  ASSERT_EQ(right.hulls(), 2U);
+  for (std::size_t n = 1;; ++n) {
+    FoundSolids found = right;
+    const auto [was_thrown, has_failed] =
+        call_with_failing(n, Failing::from_then_on, [&] { static_cast<void>(take_boxes(found, triangles)); });
+    EXPECT_EQ(found == right, was_thrown);
+    if (!has_failed) break;
   }
 }
 

@@ -1149,6 +1149,15 @@ describe('visibility', () => {
     assert.equal(shaftcull.countVisibility(scene).undecided, 1);
     assert.equal(shaftcull.countVisibility({...scene, findSolids: true}).occluded, 1);
     assert.throws(() => shaftcull.countVisibility({patches: row(0, 2), findSolids: true}), /there are none/);
+    // A building without a bottom, which hides two opposite corners from each other if it stands on their ground.
+    const quad = (a, b, c, d) => [...a, ...b, ...c, ...a, ...c, ...d];
+    const at = (z) => [[0, 0, z], [10, 0, z], [10, 10, z], [0, 10, z]];
+    const [low, high] = [at(0), at(10)];
+    const walls = [0, 1, 2, 3].flatMap((i) => quad(low[i], low[(i + 1) % 4], high[(i + 1) % 4], high[i]));
+    const triangles = [...walls, ...quad(...high)];
+    const between = (z) => ({patches: [-3, -3, z, -2, -2, 1, 12, 12, z, 13, 13, 1], triangles, findSolids: true});
+    assert.equal(shaftcull.countVisibility(between(0)).occluded, 1);
+    assert.equal(shaftcull.countVisibility(between(-1)).undecided, 1);
   });
 
   test('has a bit per pair', () => {
