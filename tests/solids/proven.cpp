@@ -338,14 +338,17 @@ class ProvenSolids {
 };
 
 TEST(ProvenSolids, HideNothingThatNoTriangleHides) {
+  // One scene in fourteen has open bodies; builds that try few scenes go on until there were three.
+  constexpr std::uint64_t fewest_with_open_bodies = 3;
+  constexpr std::uint64_t most = 500;
   const std::uint64_t cases = random_cases(120);
   std::uint64_t with_open_bodies = 0;
-  for (std::uint64_t seed = 1; seed <= cases; ++seed) {
+  for (std::uint64_t seed = 1; seed <= cases || (with_open_bodies < fewest_with_open_bodies && seed <= most); ++seed) {
     SCOPED_TRACE(seed);
     with_open_bodies += ProvenSolids(seed).check() ? 1 : 0;
     if (testing::Test::HasFailure()) return;
   }
-  EXPECT_GT(with_open_bodies, cases / 40);
+  EXPECT_GE(with_open_bodies, fewest_with_open_bodies);
 }
 
 }  // namespace
