@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Found bodies that are upright boxes, and the triangles that lie in them.
+/// Found bodies that are upright boxes, and the triangles that lie on them.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
