@@ -109,12 +109,14 @@ class Exchanges {
         const double factor = most / std::min(patches_[pair.a].area, patches_[pair.b].area);
         const double mean_weight = kernel::pi * most / areas;
         const std::size_t first = undecided.first_candidate[i];
-        const kernel::RayTally tally = rays_.cast(
-            pair, undecided.candidates.subspan(first, undecided.first_candidate[i + 1] - first), options_.rays,
-            [&](const kernel::RayTally& so_far) {
-              return options_.error != 0 && factor * kernel::SeenShare(so_far, mean_weight).error <= options_.error;
-            });
-        const kernel::SeenShare seen(tally, mean_weight);
+        kernel::RayWeights weights;
+        const kernel::RayTally tally =
+            rays_.cast(pair, undecided.candidates.subspan(first, undecided.first_candidate[i + 1] - first),
+                       options_.rays, &weights, [&](const kernel::RayTally& so_far) {
+                         return options_.error != 0 &&
+                                factor * kernel::SeenShare(so_far, weights, mean_weight).error <= options_.error;
+                       });
+        const kernel::SeenShare seen(tally, weights, mean_weight);
         found.push_back({pair, most * seen.part, most * seen.error});
       }
     });

@@ -2,7 +2,6 @@
 #include "visibility/light_rays.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 
@@ -39,9 +38,7 @@ void LightRays::cast_packet(std::uint32_t patch, const Vec3& light, const RayShi
   const std::uint64_t facing = targets_.kernels().form(here, there, points, moved, count, packet);
   std::copy(std::begin(patches_->patches[patch].corner), std::end(patches_->patches[patch].corner),
             std::begin(packet.origin));
-  tally.rays += count;
-  tally.facing += static_cast<std::uint32_t>(std::popcount(facing));
-  tally.seen += static_cast<std::uint32_t>(std::popcount(targets_.unmet(packet, candidates, facing)));
+  tally.add(count, facing, targets_.unmet(packet, candidates, facing));
 }
 
 }  // namespace shaftcull::kernel

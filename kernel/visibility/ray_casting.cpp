@@ -69,10 +69,9 @@ float beyond(const Box& around) noexcept {
 RayPoints::RayPoints(std::uint32_t rays, std::size_t dimensions) {
   const std::span<const double> steps =
       dimensions == 2 ? std::span<const double>(steps_of_two) : std::span<const double>(steps_of_four);
-  const std::uint32_t count = (rays + most_packet_rays - 1) / most_packet_rays * most_packet_rays;
   for (std::size_t s = 0; s != steps.size(); ++s) {
-    points_[s].reserve(count);
-    for (std::uint32_t i = 0; i != count; ++i) points_[s].push_back(fraction(i * steps[s]));
+    points_[s].reserve(rays);
+    for (std::uint32_t i = 0; i != rays; ++i) points_[s].push_back(fraction(i * steps[s]));
   }
 }
 

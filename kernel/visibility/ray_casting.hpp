@@ -3,6 +3,7 @@
 /// they meet.
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -18,16 +19,18 @@
 
 namespace shaftcull::kernel {
 
-/// What became of rays. Sums are in the order of the rays, so they are the same bits everywhere.
+/// What became of rays.
 struct RayTally {
   std::uint32_t rays = 0;
   std::uint32_t facing = 0;  ///< that leave and arrive in front
   std::uint32_t seen = 0;    ///< of these, those that meet nothing
-  // Of those between two patches that leave and arrive in front, the weights of RayPacket.
-  double weight = 0;
-  double weight_of_seen = 0;
-  double square = 0;          ///< sum of squares of weights
-  double square_of_seen = 0;  ///< likewise
+
+  /// Adds a packet: a bit for each ray.
+  void add(std::uint32_t count, std::uint64_t in_front, std::uint64_t unmet) noexcept {
+    rays += count;
+    facing += static_cast<std::uint32_t>(std::popcount(in_front));
+    seen += static_cast<std::uint32_t>(std::popcount(unmet));
+  }
 
   /// The share of rays that meet nothing, of those that leave and arrive in front; 0 if there are none.
   [[nodiscard]] float fraction() const noexcept {
@@ -41,7 +44,7 @@ struct RayTally {
   }
 };
 
-/// Where rays leave and arrive: points that fill so many dimensions evenly, 2 or 4, as many as were asked for.
+/// Where rays leave and arrive: points that fill so many dimensions evenly, 2 or 4. `rays` is a multiple of 16.
 class RayPoints {
  public:
   RayPoints(std::uint32_t rays, std::size_t dimensions);

@@ -9,24 +9,37 @@
 
 namespace shaftcull::kernel {
 
-SeenShare::SeenShare(const RayTally& tally, double mean_weight) noexcept : part(0), error(0) {
+void RayWeights::add(const RayPacket& packet, std::uint64_t in_front, std::uint64_t unmet) noexcept {
+  for (std::uint64_t rays = in_front; rays != 0; rays &= rays - 1) {
+    const auto ray = static_cast<unsigned>(std::countr_zero(rays));
+    const double weight = packet.weight[ray];
+    all += weight;
+    squares += weight * weight;
+    if ((unmet >> ray & 1U) == 0) continue;
+    of_seen += weight;
+    squares_of_seen += weight * weight;
+  }
+}
+
+SeenShare::SeenShare(const RayTally& tally, const RayWeights& weights, double mean_weight) noexcept
+    : part(0), error(0) {
   if (tally.facing == 0) {  // nothing is known
     part = error = 1;
     return;
   }
   const double rays = tally.rays;
-  const double mean = tally.weight / rays;
-  const double mean_of_seen = tally.weight_of_seen / rays;
-  const double variance = tally.square / rays - mean * mean;
+  const double mean = weights.all / rays;
+  const double mean_of_seen = weights.of_seen / rays;
+  const double variance = weights.squares / rays - mean * mean;
   // One ray more may be the first that arrives, or does not.
   error = 1.0 / tally.facing;
   if (tally.seen == 0) return;
   part = static_cast<double>(tally.seen) / tally.facing;
   if (tally.seen == tally.facing || !(variance > 0) || !(mean_weight > 0) || !std::isfinite(variance)) return;
-  const double covariance = tally.square_of_seen / rays - mean_of_seen * mean;
+  const double covariance = weights.squares_of_seen / rays - mean_of_seen * mean;
   const double slope = covariance / variance;
   part = std::clamp((mean_of_seen - slope * (mean - mean_weight)) / mean_weight, 0.0, 1.0);
-  const double variance_of_seen = tally.square_of_seen / rays - mean_of_seen * mean_of_seen;
+  const double variance_of_seen = weights.squares_of_seen / rays - mean_of_seen * mean_of_seen;
   const double left = std::max(0.0, variance_of_seen - slope * covariance);
   error = std::max(error / 4, std::sqrt(left / rays) / mean_weight);
 }
@@ -42,25 +55,15 @@ SightRays::SightRays(const PatchTree& a, const PatchTree& b, const OccluderData&
       points_(most_rays_, 4) {}
 
 void SightRays::cast_packet(PatchPair pair, const RayShift& shift, std::span<const std::uint32_t> candidates,
-                            std::uint32_t count, RayTally& tally) const {
+                            std::uint32_t count, RayTally& tally, RayWeights* weights) const {
   const float* points[4];
   for (std::size_t s = 0; s != 4; ++s) points[s] = points_.stream(s) + tally.rays;
   RayPacket packet;
   const std::uint64_t facing =
       targets_.kernels().form(a_->patches[pair.a], b_->patches[pair.b], points, shift.of, count, packet);
-  const std::uint64_t left = targets_.unmet(packet, candidates, facing);
-  tally.rays += count;
-  tally.facing += static_cast<std::uint32_t>(std::popcount(facing));
-  tally.seen += static_cast<std::uint32_t>(std::popcount(left));
-  for (std::uint64_t rays = facing; rays != 0; rays &= rays - 1) {
-    const auto ray = static_cast<unsigned>(std::countr_zero(rays));
-    const double weight = packet.weight[ray];
-    tally.weight += weight;
-    tally.square += weight * weight;
-    if ((left >> ray & 1U) == 0) continue;
-    tally.weight_of_seen += weight;
-    tally.square_of_seen += weight * weight;
-  }
+  const std::uint64_t unmet = targets_.unmet(packet, candidates, facing);
+  tally.add(count, facing, unmet);
+  if (weights != nullptr) weights->add(packet, facing, unmet);
 }
 
 }  // namespace shaftcull::kernel

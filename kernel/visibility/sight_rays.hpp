@@ -14,6 +14,17 @@
 
 namespace shaftcull::kernel {
 
+/// Of the rays of a pair that leave and arrive in front, sums of RayPacket::weight. They are in the order of the rays,
+/// so they are the same bits everywhere.
+struct RayWeights {
+  double all = 0;
+  double of_seen = 0;
+  double squares = 0;
+  double squares_of_seen = 0;
+
+  void add(const RayPacket& packet, std::uint64_t in_front, std::uint64_t unmet) noexcept;
+};
+
 /// Which part of the weight arrives, and the standard error of that.
 struct SeenShare {
   double part;
@@ -23,7 +34,7 @@ struct SeenShare {
   /// rays that were cast differ from it by chance, and what arrives differs with them: so much of it is taken back.
   /// Where patches touch, few rays have most of the weight, and this makes the error several times smaller. (A
   /// regression estimator: W. G. Cochran, "Sampling Techniques", 1977.)
-  SeenShare(const RayTally& tally, double mean_weight) noexcept;
+  SeenShare(const RayTally& tally, const RayWeights& weights, double mean_weight) noexcept;
 };
 
 /// Casts rays; many threads may do so at once. It refers to what it is given.
@@ -34,19 +45,21 @@ class SightRays {
   SightRays(const PatchTree& a, const PatchTree& b, const OccluderData& occluders, float tolerance,
             std::uint32_t most_rays, std::uint64_t seed);
 
-  /// Casts rays between two patches, by their indices, against these candidates, as cast_rays() does.
+  /// Casts rays between two patches, by their indices, against these candidates, as cast_rays() does. Adds up their
+  /// weights, unless `weights` is null.
   template <class IsEnough>
   [[nodiscard]] RayTally cast(PatchPair pair, std::span<const std::uint32_t> candidates, std::uint32_t rays,
-                              const IsEnough& is_enough) const {
+                              RayWeights* weights, const IsEnough& is_enough) const {
     const RayShift shift(seed_, pair);
     return cast_rays(
         rays, most_rays_,
-        [&](RayTally& tally, std::uint32_t count) { cast_packet(pair, shift, candidates, count, tally); }, is_enough);
+        [&](RayTally& tally, std::uint32_t count) { cast_packet(pair, shift, candidates, count, tally, weights); },
+        is_enough);
   }
 
  private:
   void cast_packet(PatchPair pair, const RayShift& shift, std::span<const std::uint32_t> candidates,
-                   std::uint32_t count, RayTally& tally) const;
+                   std::uint32_t count, RayTally& tally, RayWeights* weights) const;
 
   std::shared_ptr<const RayPatches> a_;
   std::shared_ptr<const RayPatches> b_;

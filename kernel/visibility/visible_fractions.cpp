@@ -59,9 +59,9 @@ void write_fractions(const PatchSet& a, const PatchSet& b, const Occluders& occl
     kernel::in_float_environment([&] {
       for (std::size_t i = row * chunk; i != std::min((row + 1) * chunk, fractions.size()); ++i) {
         const std::size_t first = pairs.first_candidate[i];
-        const kernel::RayTally tally =
-            rays.cast(pairs.pairs[i], pairs.candidates.subspan(first, pairs.first_candidate[i + 1] - first),
-                      options.rays, [&](const kernel::RayTally& so_far) { return so_far.is_within(options.error); });
+        const kernel::RayTally tally = rays.cast(
+            pairs.pairs[i], pairs.candidates.subspan(first, pairs.first_candidate[i + 1] - first), options.rays,
+            nullptr, [&](const kernel::RayTally& so_far) { return so_far.is_within(options.error); });
         fractions[i] = tally.fraction();
       }
     });

@@ -94,9 +94,7 @@ void add_sees(CLI::App& program) {
   sees.add_flag("--two-sided", options->scene.choice.two_sided,
                 "Patches see on both sides; by default, they see where the right-hand normal of their triangle points")
       ->excludes("--flip");
-  add_number(sees, "--rays", options->content.rays, 1, 65'536,
-             "Decide each undecided pair by S rays; solids then do not hide patches that lie inside them")
-      ->type_name("S");
+  add_number(sees, "--rays", options->content.rays, 1, 65'536, "Decide each undecided pair by S rays")->type_name("S");
   add_number(sees, "--seed", options->scene.seed, 0, largest_seed, "Seed of --rays and --rooms (default: 1)")
       ->type_name("S");
   CLI::Option* out =

@@ -2,8 +2,11 @@
 #include "sees_estimate.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
@@ -73,7 +76,6 @@ class Sampler {
     options_.memory = work.memory;
     options_.tolerance = scene.tolerance;
     options_.candidates = work.content.candidates || work.content.rays != 0;
-    options_.solids_around_ends = work.content.rays == 0;
   }
 
   Sample take(bool delivers) {
@@ -110,21 +112,39 @@ class Sampler {
                      {undecided.candidates.begin(), undecided.candidates.end()}};
   }
 
-  /// On one thread, of some pairs in leaps through those that were kept.
+  /// So many pairs, or the rest, of those that were kept, in leaps through them from the n-th on.
+  Undecided some_from(std::size_t n, std::size_t most) const {
+    Undecided batch;
+    batch.first_candidate.push_back(0);
+    for (const std::size_t end = std::min(n + most, some_->pairs.size()); n < end; ++n) {
+      const std::size_t i = n * 7919 % some_->pairs.size();
+      const auto candidate = [&](std::size_t place) {
+        return some_->candidates.begin() + static_cast<std::ptrdiff_t>(some_->first_candidate[place]);
+      };
+      batch.pairs.push_back({a_.patches[some_->pairs[i].a], b_.patches[some_->pairs[i].b]});
+      batch.candidates.insert(batch.candidates.end(), candidate(i), candidate(i + 1));
+      batch.first_candidate.push_back(batch.candidates.size());
+    }
+    return batch;
+  }
+
+  /// On one thread. The first pair also prepares the scene, and is not timed.
   double seconds_per_pair_of_rays() const {
+    constexpr std::size_t pairs_of_a_thread = 64;  // or fewer: a call of visible_fractions() takes one thread for them
     const PatchRays rays(scene_, work_.content.rays, work_.seed);
+    std::array<std::uint32_t, pairs_of_a_thread> seen{};
+    const auto cast = [&](const Undecided& batch) {
+      rays.count_seen({batch.pairs, batch.first_candidate, batch.candidates},
+                      std::span(seen).first(batch.pairs.size()));
+      return batch.pairs.size();
+    };
+    cast(some_from(0, 1));
     const auto begin = Clock::now();
-    const std::size_t count = some_->pairs.size();
-    std::size_t asked = 0;
+    std::size_t count = 0;
     do {
-      const std::size_t i = asked * 7919 % count;
-      const std::size_t first = some_->first_candidate[i];
-      const PatchPair pair{a_.patches[some_->pairs[i].a], b_.patches[some_->pairs[i].b]};
-      const std::size_t places[] = {0, some_->first_candidate[i + 1] - first};
-      std::uint32_t seen = 0;
-      rays.count_seen({{&pair, 1}, places, std::span(some_->candidates).subspan(first, places[1])}, {&seen, 1});
-    } while (++asked < count && Clock::now() - begin < time_for_rays);
-    return elapsed(begin) / static_cast<double>(asked);
+      count += cast(some_from(count, pairs_of_a_thread));
+    } while (count < some_->pairs.size() && Clock::now() - begin < time_for_rays);
+    return elapsed(begin) / static_cast<double>(count);
   }
 
   const SeesScene& scene_;

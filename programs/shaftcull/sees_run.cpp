@@ -114,8 +114,6 @@ PartQuestion::PartQuestion(const SeesScene& scene, const PatchSet& patches, cons
   options_.memory = work.memory;
   options_.tolerance = scene.tolerance;
   options_.candidates = content_.candidates || content_.rays != 0;
-  // Proofs and rays are of one scene: a ray that starts inside a solid does not meet its front.
-  options_.solids_around_ends = content_.rays == 0;
   if (content_.rays == 0) return;
   ray_answers_ = std::make_unique<RayAnswers>(scene, work);
   options_.resolve = [this](const UndecidedPairs& undecided, std::span<Sight>) { ray_answers_->find(undecided); };
