@@ -31,8 +31,11 @@ SeenShare::SeenShare(const RayTally& tally, const RayWeights& weights, double me
   const double mean = weights.all / rays;
   const double mean_of_seen = weights.of_seen / rays;
   const double variance = weights.squares / rays - mean * mean;
-  // One ray more may be the first that arrives, or does not.
-  error = 1.0 / tally.facing;
+  // Where few of the rays have most of the weight, only they count. One ray more may be the first that arrives, or does
+  // not. Of weight that no ray has, the part that arrives is known only as well as that of so many rays.
+  const double inverse_of_count = std::min(1.0, weights.squares / (weights.all * weights.all));
+  const double lack = std::max(0.0, 1 - mean / mean_weight) * std::sqrt(inverse_of_count);
+  error = std::max(lack, inverse_of_count);
   if (tally.seen == 0) return;
   part = static_cast<double>(tally.seen) / tally.facing;
   if (tally.seen == tally.facing || !(variance > 0) || !(mean_weight > 0) || !std::isfinite(variance)) return;
@@ -41,7 +44,7 @@ SeenShare::SeenShare(const RayTally& tally, const RayWeights& weights, double me
   part = std::clamp((mean_of_seen - slope * (mean - mean_weight)) / mean_weight, 0.0, 1.0);
   const double variance_of_seen = weights.squares_of_seen / rays - mean_of_seen * mean_of_seen;
   const double left = std::max(0.0, variance_of_seen - slope * covariance);
-  error = std::max(error / 4, std::sqrt(left / rays) / mean_weight);
+  error = std::min(1.0, std::max({lack, error / 4, std::sqrt(left / rays) / mean_weight}));
 }
 
 SightRays::SightRays(const PatchTree& a, const PatchTree& b, const OccluderData& occluders, float tolerance,

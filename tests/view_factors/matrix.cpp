@@ -301,6 +301,29 @@ TEST(ViewFactors, DependOnTheSeedWithinTheirErrors) {
   for (std::size_t i = 0; i != room.size(); ++i) EXPECT_NEAR(one.sum[i], two.sum[i], 8 * one.error[i] + 1e-9);
 }
 
+// Where patches touch, few rays have most of the weight, and many samples of 16 rays have none of these.
+TEST(ViewFactors, HaveHonestErrorsOfFewRays) {
+  const RadiatingScene room = furnished_room(1);
+  const PatchSet patches = room.patches();
+  const Occluders occluders = room.occluders();
+  ViewFactorOptions options;
+  options.error = 0;
+  const ViewFactors exact = view_factors(patches, occluders, options);
+  options.rays = 16;
+  std::size_t rows = 0;
+  std::size_t far_off = 0;
+  for (options.seed = 2; options.seed != 32; ++options.seed) {
+    const ViewFactors few = view_factors(patches, occluders, options);
+    for (std::size_t i = 0; i != room.size(); ++i) {
+      if (few.error[i] == 0) continue;
+      ++rows;
+      if (std::abs(few.sum[i] - exact.sum[i]) > 3 * few.error[i]) ++far_off;
+    }
+  }
+  EXPECT_GT(rows, 1000U);
+  EXPECT_LE(far_off, rows / 300);  // as of errors that are normally distributed
+}
+
 TEST(ViewFactors, BookWhatIsLeftOut) {
   const RadiatingScene room = furnished_room(1);
   const PatchSet patches = room.patches();
