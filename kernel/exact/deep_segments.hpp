@@ -31,14 +31,14 @@ class SegmentStart {
   /// No coordinate is larger than `coordinate`.
   SegmentStart(const Vec3& p, const Vec3& q, const Vec3& r, double coordinate) noexcept;
 
-  [[nodiscard]] const Direction& point() const noexcept { return point_; }
+  [[nodiscard]] const Double3& point() const noexcept { return point_; }
   /// How far both ends of a segment must be from a triangle's plane, in order that the triangle is in front of all
   /// planes that touch both patches by more than the tolerance. Infinite if that is not known.
   [[nodiscard]] float least_distance(const Vec3& end, double tolerance) const noexcept;
 
  private:
-  Direction point_;
-  Direction normal_;  ///< of length 1, or 0 if it is not known well
+  Double3 point_;
+  Double3 normal_;  ///< of length 1, or 0 if it is not known well
   double radius_;
   double coordinate_;
 };
@@ -51,7 +51,7 @@ struct SeenTriangle {
   float offset[4];
   float distance;  ///< negative if nothing is certain
 };
-[[nodiscard]] SeenTriangle seen_triangle(const Direction& from, const std::array<Vec3, 3>& triangle,
+[[nodiscard]] SeenTriangle seen_triangle(const Double3& from, const std::array<Vec3, 3>& triangle,
                                          double coordinate) noexcept;
 
 }  // namespace shaftcull::kernel

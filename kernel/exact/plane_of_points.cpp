@@ -35,7 +35,7 @@ int PlaneOfPoints::side(const Vec3& x, float tolerance) const noexcept {
 
 /// Whether a box lies behind for certain.
 bool PlaneOfPoints::is_behind(const TurnedBox& box, float tolerance) const noexcept {
-  const Direction normal{normal_[0], normal_[1], normal_[2]};
+  const Double3 normal{normal_[0], normal_[1], normal_[2]};
   double farthest = box.farthest(normal);
   double size = 0;
   double magnitude = 0;

@@ -7,23 +7,14 @@
 #include <cstddef>
 
 #include "formation/rule.hpp"
+#include "support/double3.hpp"
 
 namespace shaftcull::kernel {
-
-using Point = std::array<double, 3>;
-
-inline Point operator-(const Point& p, const Point& q) noexcept { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
-
-inline Point cross(const Point& p, const Point& q) noexcept {
-  return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
-}
-
-inline double dot(const Point& p, const Point& q) noexcept { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
 
 /// Position of a face of the cube on its axis, and the point at depth `depth` below it.
 inline double position(Face f) noexcept { return is_hi(f) ? 1 : 0; }
 inline double below(Face f, double depth) noexcept { return is_hi(f) ? 1 - depth : depth; }
-inline double depth_below(Face f, const Point& point) noexcept { return std::fabs(point[axis_of(f)] - position(f)); }
+inline double depth_below(Face f, const Double3& point) noexcept { return std::fabs(point[axis_of(f)] - position(f)); }
 
 /// A plane that cuts the edge between two neighbouring faces off the unit cube.
 struct CornerCut {
@@ -58,20 +49,20 @@ class TrimmedBox {
   static constexpr std::size_t max_faces = face_count + max_joining_planes;
 
   struct Polygon {
-    std::array<Point, max_corners> corner;  ///< counter-clockwise, seen from outside
+    std::array<Double3, max_corners> corner;  ///< counter-clockwise, seen from outside
     std::size_t count = 0;
 
-    void add(const Point& point) noexcept {
+    void add(const Double3& point) noexcept {
       if (count < max_corners) corner[count++] = point;
     }
   };
 
-  static double beyond(const CornerCut& cut, const Point& point) noexcept;
-  static Polygon rectangle(const Point& corner, const Point& side, const Point& other_side,
-                           const Point& outwards) noexcept;
+  static double beyond(const CornerCut& cut, const Double3& point) noexcept;
+  static Polygon rectangle(const Double3& corner, const Double3& side, const Double3& other_side,
+                           const Double3& outwards) noexcept;
   static Polygon face_of(const CornerCut& cut) noexcept;
   static Polygon clipped(const Polygon& polygon, const CornerCut& cut, double keep) noexcept;
-  static double pyramid(const Polygon& base, const Point& apex) noexcept;
+  static double pyramid(const Polygon& base, const Double3& apex) noexcept;
 
   std::array<Polygon, max_faces> face_;
   std::array<CornerCut, max_joining_planes> cut_;
@@ -81,10 +72,10 @@ class TrimmedBox {
 
 inline TrimmedBox::TrimmedBox() noexcept {
   for (Face f = 0; f < face_count; ++f) {
-    Point corner{};
-    Point side{};
-    Point other_side{};
-    Point outwards{};
+    Double3 corner{};
+    Double3 side{};
+    Double3 other_side{};
+    Double3 outwards{};
     corner[axis_of(f)] = position(f);
     side[(axis_of(f) + 1) % 3] = 1;
     other_side[(axis_of(f) + 2) % 3] = 1;
@@ -95,7 +86,7 @@ inline TrimmedBox::TrimmedBox() noexcept {
 
 inline double TrimmedBox::volume_beyond(const CornerCut& cut) const noexcept {
   // With the apex on the cutting plane, the face that the plane itself adds to the piece has no volume to add.
-  Point apex{};
+  Double3 apex{};
   apex[axis_of(cut.first)] = below(cut.first, cut.first_leg);
   apex[axis_of(cut.second)] = position(cut.second);
   double volume = 0;
@@ -112,16 +103,16 @@ inline void TrimmedBox::trim(const CornerCut& cut) noexcept {
 }
 
 /// Positive for points that `cut` cuts off, 0 on its plane.
-inline double TrimmedBox::beyond(const CornerCut& cut, const Point& point) noexcept {
+inline double TrimmedBox::beyond(const CornerCut& cut, const Double3& point) noexcept {
   return cut.first_leg * cut.second_leg - depth_below(cut.first, point) * cut.second_leg -
          depth_below(cut.second, point) * cut.first_leg;
 }
 
-inline TrimmedBox::Polygon TrimmedBox::rectangle(const Point& corner, const Point& side, const Point& other_side,
-                                                 const Point& outwards) noexcept {
+inline TrimmedBox::Polygon TrimmedBox::rectangle(const Double3& corner, const Double3& side, const Double3& other_side,
+                                                 const Double3& outwards) noexcept {
   const bool counter_clockwise = dot(cross(side, other_side), outwards) > 0;
-  const Point& u = counter_clockwise ? side : other_side;
-  const Point& v = counter_clockwise ? other_side : side;
+  const Double3& u = counter_clockwise ? side : other_side;
+  const Double3& v = counter_clockwise ? other_side : side;
   Polygon polygon;
   polygon.add(corner);
   polygon.add({corner[0] + u[0], corner[1] + u[1], corner[2] + u[2]});
@@ -133,10 +124,10 @@ inline TrimmedBox::Polygon TrimmedBox::rectangle(const Point& corner, const Poin
 inline TrimmedBox::Polygon TrimmedBox::face_of(const CornerCut& cut) noexcept {
   const unsigned i = axis_of(cut.first);
   const unsigned j = axis_of(cut.second);
-  Point corner{};
-  Point side{};
-  Point other_side{};
-  Point outwards{};
+  Double3 corner{};
+  Double3 side{};
+  Double3 other_side{};
+  Double3 outwards{};
   corner[i] = below(cut.first, cut.first_leg);
   corner[j] = position(cut.second);
   side[i] = position(cut.first) - corner[i];
@@ -151,14 +142,14 @@ inline TrimmedBox::Polygon TrimmedBox::face_of(const CornerCut& cut) noexcept {
 inline TrimmedBox::Polygon TrimmedBox::clipped(const Polygon& polygon, const CornerCut& cut, double keep) noexcept {
   Polygon kept;
   for (std::size_t i = 0; i < polygon.count; ++i) {
-    const Point& from = polygon.corner[i];
-    const Point& to = polygon.corner[i + 1 == polygon.count ? 0 : i + 1];
+    const Double3& from = polygon.corner[i];
+    const Double3& to = polygon.corner[i + 1 == polygon.count ? 0 : i + 1];
     const double from_side = keep * beyond(cut, from);
     const double to_side = keep * beyond(cut, to);
     if (from_side >= 0) kept.add(from);
     if ((from_side > 0 && to_side < 0) || (from_side < 0 && to_side > 0)) {
       const double t = from_side / (from_side - to_side);
-      const Point step = to - from;
+      const Double3 step = to - from;
       kept.add({from[0] + t * step[0], from[1] + t * step[1], from[2] + t * step[2]});
     }
   }
@@ -166,12 +157,12 @@ inline TrimmedBox::Polygon TrimmedBox::clipped(const Polygon& polygon, const Cor
 }
 
 /// Volume of the pyramid over `base`, positive if the apex is on the inner side of it.
-inline double TrimmedBox::pyramid(const Polygon& base, const Point& apex) noexcept {
+inline double TrimmedBox::pyramid(const Polygon& base, const Double3& apex) noexcept {
   double volume = 0;
   for (std::size_t i = 2; i < base.count; ++i) {
-    const Point u = base.corner[0] - apex;
-    const Point v = base.corner[i - 1] - apex;
-    const Point w = base.corner[i] - apex;
+    const Double3 u = base.corner[0] - apex;
+    const Double3 v = base.corner[i - 1] - apex;
+    const Double3 w = base.corner[i] - apex;
     volume += dot(u, cross(v, w)) / 6;
   }
   return volume;

@@ -7,13 +7,13 @@
 
 namespace shaftcull::kernel {
 
-Polygon::Polygon(std::span<const Vec3> corners, const Point& origin, double scale) noexcept : count_(corners.size()) {
+Polygon::Polygon(std::span<const Vec3> corners, const Double3& origin, double scale) noexcept : count_(corners.size()) {
   for (std::size_t i = 0; i != count_; ++i) {
     for (std::size_t k = 0; k != 3; ++k) corner_[i][k] = (double{corners[i][k]} - origin[k]) * scale;
   }
 }
 
-Polygon Polygon::moved(const Point& origin, double scale) const noexcept {
+Polygon Polygon::moved(const Double3& origin, double scale) const noexcept {
   Polygon result = *this;
   for (std::size_t i = 0; i != count_; ++i) {
     for (std::size_t k = 0; k != 3; ++k) result.corner_[i][k] = (corner_[i][k] - origin[k]) * scale;
@@ -21,17 +21,17 @@ Polygon Polygon::moved(const Point& origin, double scale) const noexcept {
   return result;
 }
 
-Point Polygon::normal() const noexcept {
-  Point sum{};
+Double3 Polygon::normal() const noexcept {
+  Double3 sum{};
   for (std::size_t i = 2; i < count_; ++i) {
-    const Point of_triangle = cross(corner_[i - 1] - corner_[0], corner_[i] - corner_[0]);
+    const Double3 of_triangle = cross(corner_[i - 1] - corner_[0], corner_[i] - corner_[0]);
     for (std::size_t k = 0; k != 3; ++k) sum[k] += of_triangle[k];
   }
   return sum;
 }
 
 Polygon Polygon::in_front_of(const Polygon& other) const noexcept {
-  const Point normal = other.normal();
+  const Double3 normal = other.normal();
   std::array<double, most_given + 1> height{};
   for (std::size_t i = 0; i != count_; ++i) height[i] = dot(normal, corner_[i] - other.corner_[0]);
   Polygon cut;
@@ -41,13 +41,13 @@ Polygon Polygon::in_front_of(const Polygon& other) const noexcept {
   }
   for (std::size_t i = 0; i != count_; ++i) {
     const std::size_t next = i + 1 == count_ ? 0 : i + 1;
-    const auto add = [&](const Point& corner) {
+    const auto add = [&](const Double3& corner) {
       if (cut.count_ != cut.corner_.size()) cut.corner_[cut.count_++] = corner;
     };
     if (height[i] >= 0) add(corner_[i]);
     if ((height[i] > 0 && height[next] < 0) || (height[i] < 0 && height[next] > 0)) {
       const double part = height[i] / (height[i] - height[next]);
-      Point crossing{};
+      Double3 crossing{};
       for (std::size_t k = 0; k != 3; ++k) crossing[k] = corner_[i][k] + part * (corner_[next][k] - corner_[i][k]);
       add(crossing);
     }

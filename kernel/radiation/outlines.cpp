@@ -14,14 +14,14 @@ namespace {
 
 /// An edge of a polygon, on its way around.
 struct Edge {
-  Point from;
-  Point along;  ///< of length 1
+  Double3 from;
+  Double3 along;  ///< of length 1
   double length;
 
-  Edge(const Point& p, const Point& q) noexcept : from(p), along(q - p), length(kernel::length(along)) {
+  Edge(const Double3& p, const Double3& q) noexcept : from(p), along(q - p), length(kernel::length(along)) {
     for (double& x : along) x = length == 0 ? 0 : x / length;
   }
-  [[nodiscard]] Point at(double s) const noexcept {
+  [[nodiscard]] Double3 at(double s) const noexcept {
     return {from[0] + s * along[0], from[1] + s * along[1], from[2] + s * along[2]};
   }
 };
@@ -36,13 +36,13 @@ class LogarithmOfDistance {
     constexpr double error = 1e-13;  // of the lengths' product
     shortest_ = std::sqrt(outer.length * inner.length * error / std::max(error, std::fabs(cosine_)));
     // Squared, the distance of a point of the outer edge from the inner one's line is δ² + sin² α (s − s₀)².
-    const Point turn = cross(outer.along, inner.along);
-    const Point start = cross(outer.from - inner.from, inner.along);
+    const Double3 turn = cross(outer.along, inner.along);
+    const Double3 start = cross(outer.from - inner.from, inner.along);
     const double sine_square = dot(turn, turn);
     is_parallel_ = sine_square < 1e-20;
     if (is_parallel_) return;
     nearest_ = -dot(turn, start) / sine_square;
-    const Point nearest{start[0] + nearest_ * turn[0], start[1] + nearest_ * turn[1], start[2] + nearest_ * turn[2]};
+    const Double3 nearest{start[0] + nearest_ * turn[0], start[1] + nearest_ * turn[1], start[2] + nearest_ * turn[2]};
     depth_square_ = dot(nearest, nearest) / sine_square;
   }
 
@@ -67,9 +67,9 @@ class LogarithmOfDistance {
   /// How far the integrand's singularities are in the complex plane: where the distance from an end of the inner edge
   /// is 0, and, beside the edge, that from its line.
   [[nodiscard]] double distance_of_singularities(double middle, double half) const noexcept {
-    const Point offset = outer_.at(middle) - inner_.from;
+    const Double3 offset = outer_.at(middle) - inner_.from;
     const double beside = dot(offset, inner_.along);
-    const Point from_end = outer_.at(middle) - inner_.at(inner_.length);
+    const Double3 from_end = outer_.at(middle) - inner_.at(inner_.length);
     double least = std::min(dot(offset, offset), dot(from_end, from_end));
     if (!is_parallel_ && beside > -half && beside < inner_.length + half) {
       const double away = middle - nearest_;
@@ -79,9 +79,9 @@ class LogarithmOfDistance {
   }
 
   /// The integral of ln r over the inner edge, r being the distance from a point.
-  [[nodiscard]] double over_inner(const Point& point) const noexcept {
-    const Point offset = point - inner_.from;
-    const Point away = cross(offset, inner_.along);
+  [[nodiscard]] double over_inner(const Double3& point) const noexcept {
+    const Double3 offset = point - inner_.from;
+    const Double3 away = cross(offset, inner_.along);
     const double height_square = dot(away, away);
     const double height = std::sqrt(height_square);
     const double first = -dot(offset, inner_.along);
@@ -107,7 +107,7 @@ class LogarithmOfDistance {
 
 double exchange_by_outlines(const Polygon& a, const Polygon& b) noexcept {
   double sum = 0;
-  const auto edge_of = [](std::span<const Point> corners, std::size_t i) {
+  const auto edge_of = [](std::span<const Double3> corners, std::size_t i) {
     return Edge(corners[i], corners[i + 1 == corners.size() ? 0 : i + 1]);
   };
   for (std::size_t i = 0; i != a.corners().size(); ++i) {

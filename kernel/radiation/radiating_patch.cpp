@@ -2,7 +2,6 @@
 #include "radiation/radiating_patch.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -25,23 +24,23 @@ struct Nodes {
 /// triangles. Weights add up to the area.
 void find_nodes(const RadiatingPatch& patch, unsigned order, Nodes& nodes) noexcept {
   std::size_t count = 0;
-  const auto add = [&](const Point& at, double weight) {
+  const auto add = [&](const Double3& at, double weight) {
     FourNodes& four = nodes.four[count / 4];
     for (std::size_t k = 0; k != 3; ++k) four.at[k][count % 4] = at[k];
     four.weight[count++ % 4] = weight;
   };
-  const std::span<const Point> corners = patch.outline.corners();
+  const std::span<const Double3> corners = patch.outline.corners();
   for (std::size_t i = 1; i + 1 < corners.size(); i += 2) {
-    const Point p = corners[0] - patch.centre;
-    const Point q = corners[i] - patch.centre;
-    const Point r = corners[i + 1] - patch.centre;
-    const Point s = i + 2 < corners.size() ? corners[i + 2] - patch.centre : r;
+    const Double3 p = corners[0] - patch.centre;
+    const Double3 q = corners[i] - patch.centre;
+    const Double3 r = corners[i + 1] - patch.centre;
+    const Double3 s = i + 2 < corners.size() ? corners[i + 2] - patch.centre : r;
     for (unsigned row = 0; row != order; ++row) {
       const GaussNode u = gauss_node(order, row);
-      Point from{};
-      Point to{};
-      Point along_u{};
-      Point across_u{};
+      Double3 from{};
+      Double3 to{};
+      Double3 along_u{};
+      Double3 across_u{};
       for (std::size_t k = 0; k != 3; ++k) {
         from[k] = (p[k] * (1 - u.at) + q[k] * (1 + u.at)) / 2;
         to[k] = (s[k] * (1 - u.at) + r[k] * (1 + u.at)) / 2;
@@ -50,9 +49,9 @@ void find_nodes(const RadiatingPatch& patch, unsigned order, Nodes& nodes) noexc
       }
       for (unsigned column = 0; column != order; ++column) {
         const GaussNode v = gauss_node(order, column);
-        Point at{};
-        Point along{};
-        Point up{};
+        Double3 at{};
+        Double3 along{};
+        Double3 up{};
         for (std::size_t k = 0; k != 3; ++k) {
           at[k] = (from[k] * (1 - v.at) + to[k] * (1 + v.at)) / 2;
           along[k] = (along_u[k] * (1 - v.at) + across_u[k] * (1 + v.at)) / 2;
@@ -62,7 +61,7 @@ void find_nodes(const RadiatingPatch& patch, unsigned order, Nodes& nodes) noexc
       }
     }
   }
-  while (count % 4 != 0) add(Point{}, 0);
+  while (count % 4 != 0) add(Double3{}, 0);
   nodes.count = count / 4;
 }
 
@@ -85,10 +84,10 @@ class NodesOf {
 };
 
 /// Nodes from the centre of another patch, with weights by their heights above its plane, or of it above theirs.
-void place(std::span<const FourNodes> nodes, const Point& centre, const Point& normal, const Point& on_plane,
+void place(std::span<const FourNodes> nodes, const Double3& centre, const Double3& normal, const Double3& on_plane,
            Nodes& placed) noexcept {
   placed.count = nodes.size();
-  const Point from_plane = centre - on_plane;
+  const Double3 from_plane = centre - on_plane;
   for (std::size_t i = 0; i != nodes.size(); ++i) {
     FourNodes& four = placed.four[i];
     for (std::size_t lane = 0; lane != 4; ++lane) {
@@ -107,11 +106,11 @@ void place(std::span<const FourNodes> nodes, const Point& centre, const Point& n
 /// By nodes of both areas. Of flat patches, cos θ r is the height of a point above the other's plane.
 double by_nodes(const RadiatingPatch& a, const RadiatingPatch& b, std::span<const FourNodes> nodes_a,
                 std::span<const FourNodes> nodes_b) noexcept {
-  const Point between = b.centre - a.centre;
+  const Double3 between = b.centre - a.centre;
   Nodes of_a;
   Nodes of_b;
-  place(nodes_a, Point{}, b.normal, between, of_a);
-  place(nodes_b, between, a.normal, Point{}, of_b);
+  place(nodes_a, Double3{}, b.normal, between, of_a);
+  place(nodes_b, between, a.normal, Double3{}, of_b);
   double sum = 0;
   for (std::size_t i = 0; i != 4 * of_a.count; ++i) {
     const FourNodes& four = of_a.four[i / 4];
@@ -160,14 +159,14 @@ struct Sides {
   bool back = false;
 
   Sides(const RadiatingPatch& of, const RadiatingPatch& other) noexcept {
-    const Point between = other.centre - of.centre;
+    const Double3 between = other.centre - of.centre;
     const double height = dot(of.normal, between);
     const double rounding = 1e-12 * (length(between) + of.radius);
     front = height + other.radius > rounding;
     back = height - other.radius < -rounding;
     if (!front || !back) return;
     front = back = false;
-    for (const Point& corner : other.outline.corners()) {
+    for (const Double3& corner : other.outline.corners()) {
       const double of_corner = dot(of.normal, corner - of.centre);
       front = front || of_corner > rounding;
       back = back || of_corner < -rounding;
@@ -178,12 +177,12 @@ struct Sides {
 }  // namespace
 
 RadiatingPatch::RadiatingPatch(std::span<const Vec3> corners) noexcept
-    : outline(corners, Point{}, 1), centre{}, radius(0), normal(outline.normal()), area(length(normal) / 2) {
+    : outline(corners, Double3{}, 1), centre{}, radius(0), normal(outline.normal()), area(length(normal) / 2) {
   for (double& x : normal) x = area > 0 ? x / (2 * area) : 0;
-  for (const Point& corner : outline.corners()) {
+  for (const Double3& corner : outline.corners()) {
     for (std::size_t k = 0; k != 3; ++k) centre[k] += corner[k] / static_cast<double>(corners.size());
   }
-  for (const Point& corner : outline.corners()) radius = std::max(radius, length(corner - centre));
+  for (const Double3& corner : outline.corners()) radius = std::max(radius, length(corner - centre));
 }
 
 namespace {
@@ -209,8 +208,8 @@ double exchange(const RadiatingPatch& a, const RadiatingPatch& b, Accuracy accur
 }
 
 bool comes_before(const RadiatingPatch& a, const RadiatingPatch& b) noexcept {
-  const std::span<const Point> of_a = a.outline.corners();
-  const std::span<const Point> of_b = b.outline.corners();
+  const std::span<const Double3> of_a = a.outline.corners();
+  const std::span<const Double3> of_b = b.outline.corners();
   return std::lexicographical_compare(of_a.begin(), of_a.end(), of_b.begin(), of_b.end());
 }
 

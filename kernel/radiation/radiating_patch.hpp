@@ -2,7 +2,6 @@
 /// Patches that radiate, for view factors of many pairs.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -18,9 +17,9 @@ struct RadiatingPatch {
   explicit RadiatingPatch(std::span<const Vec3> corners) noexcept;
 
   Polygon outline;
-  Point centre;
-  double radius;  ///< of a ball around the centre
-  Point normal;   ///< of length 1, to the front; 0 if there is no area
+  Double3 centre;
+  double radius;   ///< of a ball around the centre
+  Double3 normal;  ///< of length 1, to the front; 0 if there is no area
   double area;
 };
 

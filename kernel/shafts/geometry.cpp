@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "shafts/view.hpp"
@@ -16,8 +15,6 @@
 namespace shaftcull {
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
 /// The smallest float not below x + y.
 float sum_rounded_up(float x, float y) noexcept {
   const double a = x;
@@ -27,7 +24,7 @@ float sum_rounded_up(float x, float y) noexcept {
   const double error = (a - (sum - part)) + (b - part);  // sum + error = x + y (Knuth); NaN if the sum is infinite
   const auto nearest = static_cast<float>(sum);
   const bool is_below = nearest < sum || (nearest == sum && error > 0);
-  return is_below ? std::nextafter(nearest, infinity) : nearest;
+  return is_below ? std::nextafter(nearest, HUGE_VALF) : nearest;
 }
 
 float sum_rounded_down(float x, float y) noexcept { return -sum_rounded_up(-x, -y); }

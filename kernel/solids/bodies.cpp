@@ -8,10 +8,10 @@
 #include <limits>
 #include <utility>
 
+#include "support/double3.hpp"
+
 namespace shaftcull::kernel {
 namespace {
-
-using Direction = std::array<double, 3>;
 
 /// More corners than this are thinned out: each is compared with each triangle.
 constexpr std::size_t most_corners = 256;
@@ -23,46 +23,45 @@ double squared_distance(const Vec3& p, const Vec3& q) noexcept {
 }
 
 /// The normal of a triangle, of length 1 nearly; zero if it is too small.
-Direction unit_normal(const WeldedMesh& mesh, std::uint32_t triangle) {
+Double3 unit_normal(const WeldedMesh& mesh, std::uint32_t triangle) {
   const SpannedPlane plane = mesh.plane(triangle);
-  Direction normal{plane.normal(0), plane.normal(1), plane.normal(2)};
+  Double3 normal{plane.normal(0), plane.normal(1), plane.normal(2)};
   const double largest = std::max({std::fabs(normal[0]), std::fabs(normal[1]), std::fabs(normal[2])});
   if (largest == 0) return normal;
   for (double& x : normal) x /= largest;
-  const double length = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
-  for (double& x : normal) x /= length;
+  const double size = length(normal);
+  for (double& x : normal) x /= size;
   return normal;
 }
 
 /// Whether the normals around a vertex are those of three faces at least, nearly.
-bool is_corner(std::span<const Direction> normals) {
+bool is_corner(std::span<const Double3> normals) {
   constexpr double flat = 1e-3;
-  const Direction& first = normals.front();
-  Direction edge{};
-  double length = 0;
-  for (const Direction& normal : normals) {
-    const Direction along{first[1] * normal[2] - first[2] * normal[1], first[2] * normal[0] - first[0] * normal[2],
-                          first[0] * normal[1] - first[1] * normal[0]};
-    const double of_this = std::sqrt(along[0] * along[0] + along[1] * along[1] + along[2] * along[2]);
-    if (of_this <= length) continue;
-    length = of_this;
+  const Double3& first = normals.front();
+  Double3 edge{};
+  double longest = 0;
+  for (const Double3& normal : normals) {
+    const Double3 along = cross(first, normal);
+    const double size = length(along);
+    if (size <= longest) continue;
+    longest = size;
     edge = along;
   }
-  return length > flat && std::any_of(normals.begin(), normals.end(), [&](const Direction& normal) {
-           return std::fabs(edge[0] * normal[0] + edge[1] * normal[1] + edge[2] * normal[2]) > flat * length;
+  return longest > flat && std::any_of(normals.begin(), normals.end(), [&](const Double3& normal) {
+           return std::fabs(dot(edge, normal)) > flat * longest;
          });
 }
 
 /// The corners of a part: vertices within its edges and faces are left out.
 std::vector<Vec3> corners_of(const WeldedMesh& mesh, const WeldedMesh::Part& part) {
-  std::vector<std::pair<std::uint32_t, Direction>> normals;  // of each vertex
+  std::vector<std::pair<std::uint32_t, Double3>> normals;  // of each vertex
   for (std::uint32_t triangle = part.first; triangle != part.end; ++triangle) {
-    const Direction normal = unit_normal(mesh, triangle);
-    if (normal == Direction{}) continue;
+    const Double3 normal = unit_normal(mesh, triangle);
+    if (normal == Double3{}) continue;
     for (std::uint32_t edge = 3 * triangle; edge != 3 * triangle + 3; ++edge) {
       normals.emplace_back(mesh.vertex(edge), normal);
       if (part.open_at && part.open_at->excludes(mesh.start(edge))) {
-        Direction outwards{};
+        Double3 outwards{};
         outwards[part.open_at->axis] = part.open_at->is_hi ? 1 : -1;
         normals.emplace_back(mesh.vertex(edge), outwards);
       }
@@ -70,7 +69,7 @@ std::vector<Vec3> corners_of(const WeldedMesh& mesh, const WeldedMesh::Part& par
   }
   std::sort(normals.begin(), normals.end());
   std::vector<Vec3> corners;
-  std::vector<Direction> around;
+  std::vector<Double3> around;
   for (auto it = normals.begin(); it != normals.end();) {
     const std::uint32_t vertex = it->first;
     around.clear();
@@ -96,7 +95,7 @@ bool are_behind(const WeldedMesh& mesh, const WeldedMesh::Part& part, std::span<
 }
 
 /// All points moved towards `middle`, on some axes.
-std::vector<Vec3> moved_towards(const Direction& middle, std::span<const Vec3> points, double share, unsigned axes) {
+std::vector<Vec3> moved_towards(const Double3& middle, std::span<const Vec3> points, double share, unsigned axes) {
   std::vector<Vec3> moved(points.begin(), points.end());
   for (Vec3& point : moved) {
     for (unsigned k = 0; k != 3; ++k) {
@@ -164,7 +163,7 @@ std::optional<std::vector<Vec3>> convex_body(const WeldedMesh& mesh, const Welde
   constexpr std::size_t fewest_corners = 4;
   if (!part.is_closed || corners.size() < fewest_corners) return std::nullopt;
   if (are_behind(mesh, part, corners)) return corners;
-  Direction middle{};
+  Double3 middle{};
   for (const Vec3& corner : corners) {
     for (std::size_t k = 0; k != 3; ++k) middle[k] += corner[k] / static_cast<double>(corners.size());
   }

@@ -9,16 +9,12 @@
 #include <span>
 #include <utility>
 
+#include "support/double3.hpp"
+
 namespace shaftcull::kernel {
 namespace {
 
 using Edge = std::uint32_t;
-
-double dot(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) noexcept {
-  double sum = 0;
-  for (std::size_t k = 0; k != 3; ++k) sum += (double{b[k]} - a[k]) * (double{d[k]} - c[k]);
-  return sum;
-}
 
 /// Sets whose members are joined.
 class Sets {
@@ -90,7 +86,8 @@ class Joining {
   }
   [[nodiscard]] std::uint32_t start_vertex(Edge edge) const { return mesh_.vertex(edge + 3 * first_); }
   [[nodiscard]] std::uint32_t end_vertex(Edge edge) const { return mesh_.vertex(WeldedMesh::next(edge + 3 * first_)); }
-  [[nodiscard]] double length(Edge edge) const { return dot(start(edge), end(edge), start(edge), end(edge)); }
+  [[nodiscard]] Double3 along(Edge edge) const { return between(start(edge), end(edge)); }
+  [[nodiscard]] double squared_length(Edge edge) const { return dot(along(edge), along(edge)); }
 
   [[nodiscard]] Normal normal_of(std::uint32_t triangle) const {
     const SpannedPlane plane = mesh_.plane(first_ + triangle);
@@ -128,7 +125,7 @@ class Joining {
     }
     for (std::vector<Edge>* const list : {&flat_, &nearly_flat_}) {
       std::sort(list->begin(), list->end(),
-                [&](Edge a, Edge b) { return std::pair(-length(a), a) < std::pair(-length(b), b); });
+                [&](Edge a, Edge b) { return std::pair(-squared_length(a), a) < std::pair(-squared_length(b), b); });
     }
   }
 
@@ -143,7 +140,7 @@ class Joining {
   }
   [[nodiscard]] bool is_convex(Edge from, Edge to) const {
     const int side = turn(from, to);
-    return side > 0 || (side == 0 && dot(start(from), end(from), start(to), end(to)) > 0);
+    return side > 0 || (side == 0 && dot(along(from), along(to)) > 0);
   }
   /// Which half of all directions an edge has: around a convex polygon, each half comes once.
   [[nodiscard]] bool points_up(Edge edge) const {

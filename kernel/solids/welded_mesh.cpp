@@ -6,32 +6,22 @@
 #include <tuple>
 #include <utility>
 
+#include "support/double3.hpp"
+
 namespace shaftcull::kernel {
 namespace {
-
-using Direction = std::array<double, 3>;
-
-Direction difference(const Vec3& p, const Vec3& q) noexcept {
-  return {double{p[0]} - q[0], double{p[1]} - q[1], double{p[2]} - q[2]};
-}
-
-double dot(const Direction& p, const Direction& q) noexcept { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
-
-Direction cross(const Direction& p, const Direction& q) noexcept {
-  return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
-}
 
 constexpr double coincident = 1e-4;  // of turns: the back of another body
 
 /// How far a triangle is turned about an edge, from the back of a first triangle around to its front: ascends with the
 /// angle, from 0, not included, to 4. `far_first` and `far` are their corners that are not on the edge.
 double turn_behind(const Vec3& start, const Vec3& end, const Vec3& far_first, const Vec3& far) noexcept {
-  const Direction along = difference(end, start);
-  const Direction normal = cross(along, difference(far_first, start));  // of the first triangle, to its front
-  const Direction inwards = cross(normal, along);                       // from the edge into the first triangle
-  const Direction to = difference(far, start);
+  const Double3 along = between(start, end);
+  const Double3 normal = cross(along, between(start, far_first));  // of the first triangle, to its front
+  const Double3 inwards = cross(normal, along);                    // from the edge into the first triangle
+  const Double3 to = between(start, far);
   const double x = dot(inwards, to);
-  const double y = -dot(normal, to) * std::sqrt(dot(along, along));
+  const double y = -dot(normal, to) * length(along);
   const double part = y / (std::fabs(x) + std::fabs(y));
   if (x >= 0) return part > coincident ? part : 4 + part;
   return 2 - part;

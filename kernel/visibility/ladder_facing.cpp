@@ -11,7 +11,7 @@ FacingPlanes Ladder::Side::facing_planes_of(unsigned lane) const noexcept {
 }
 
 /// The largest component of a corner of a lane along a direction, or more.
-double Ladder::Side::farthest(unsigned lane, const Direction& direction) const noexcept {
+double Ladder::Side::farthest(unsigned lane, const Double3& direction) const noexcept {
   if (are_patches) return farthest_of(corners(lane).all(), direction);
   if (!has_boxes_only(lane)) return set.tree.turned_groups()[first + lane].box.farthest(direction);
   double sum = 0;

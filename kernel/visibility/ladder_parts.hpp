@@ -149,7 +149,7 @@ struct Ladder::Side {
                                                 std::uint64_t asked, const SiblingKernels& kernels) const noexcept;
 
  private:
-  [[nodiscard]] double farthest(unsigned lane, const Direction& direction) const noexcept;
+  [[nodiscard]] double farthest(unsigned lane, const Double3& direction) const noexcept;
 };
 
 /// Of a row of pairs: the occluders of a list that it may have to do with, with which of its lanes, and what is found.

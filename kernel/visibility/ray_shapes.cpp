@@ -13,6 +13,7 @@
 #include "shaftcull/bounds.hpp"
 #include "shaftcull/error.hpp"
 #include "shaftcull/geometry.hpp"
+#include "support/double3.hpp"
 #include "support/fail.hpp"
 #include "visibility/occluders.hpp"
 #include "visibility/patch_outline.hpp"
@@ -21,16 +22,7 @@
 namespace shaftcull::kernel {
 namespace {
 
-using Triple = std::array<double, 3>;
-
-Triple between(const Vec3& p, const Vec3& q) noexcept {
-  return {double{q[0]} - p[0], double{q[1]} - p[1], double{q[2]} - p[2]};
-}
-double product(const Triple& p, const Triple& q) noexcept { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
-Triple across(const Triple& p, const Triple& q) noexcept {
-  return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
-}
-void set(float (&to)[3], const Triple& from, double divisor = 1) noexcept {
+void set(float (&to)[3], const Double3& from, double divisor = 1) noexcept {
   for (std::size_t k = 0; k != 3; ++k) to[k] = static_cast<float>(from[k] / divisor);
 }
 void set(float (&to)[3], const Vec3& from) noexcept { std::copy(from.begin(), from.end(), to); }
@@ -39,15 +31,15 @@ using Vertices = std::array<Vec3, 3>;
 
 /// Writes a triangle as rays test it, and returns whether it has an area.
 bool make(const Vertices& vertices, RayTriangle& triangle) noexcept {
-  const Triple u = between(vertices[0], vertices[1]);
-  const Triple v = between(vertices[0], vertices[2]);
-  const Triple normal = across(u, v);
-  const double square = product(normal, normal);
+  const Double3 u = between(vertices[0], vertices[1]);
+  const Double3 v = between(vertices[0], vertices[2]);
+  const Double3 normal = cross(u, v);
+  const double square = dot(normal, normal);
   if (!(square > 0)) return false;
   set(triangle.point, vertices[0]);
   set(triangle.normal, normal, std::sqrt(square));
-  set(triangle.across_u, across(v, normal), square);
-  set(triangle.across_v, across(normal, u), square);
+  set(triangle.across_u, cross(v, normal), square);
+  set(triangle.across_v, cross(normal, u), square);
   return true;
 }
 
@@ -88,10 +80,10 @@ class RayShapes::Growing {
     const auto first = static_cast<std::uint32_t>(shapes_.planes.size());
     for (const NearPlane& face : hull.faces()) {
       const std::array<Vec3, 3>& at = face.points();
-      const Triple normal = across(between(at[0], at[1]), between(at[0], at[2]));
+      const Double3 normal = cross(between(at[0], at[1]), between(at[0], at[2]));
       RayPlane& plane = shapes_.planes.emplace_back();
       set(plane.point, at[0]);
-      set(plane.normal, normal, std::sqrt(product(normal, normal)));
+      set(plane.normal, normal, length(normal));
     }
     const auto count = static_cast<std::uint32_t>(shapes_.planes.size()) - first;
     return {count == 0 ? Kind::nothing : Kind::body, first, count};
@@ -169,30 +161,30 @@ namespace {
 /// Whether four corners are those of a parallelogram, but for what no ray notices.
 bool is_parallelogram(std::span<const Vec3> corners) noexcept {
   if (corners.size() != 4) return false;
-  const Triple diagonal[2] = {between(corners[0], corners[2]), between(corners[1], corners[3])};
+  const Double3 diagonal[2] = {between(corners[0], corners[2]), between(corners[1], corners[3])};
   double apart = 0;
   for (std::size_t k = 0; k != 3; ++k) {
     apart = std::max(apart,
                      std::fabs(double{corners[0][k]} + corners[2][k] - double{corners[1][k]} - double{corners[3][k]}));
   }
-  return apart * apart <= 1e-12 * (product(diagonal[0], diagonal[0]) + product(diagonal[1], diagonal[1]));
+  return apart * apart <= 1e-12 * (dot(diagonal[0], diagonal[0]) + dot(diagonal[1], diagonal[1]));
 }
 
 RayPatch ray_patch(std::span<const Vec3> corners, bool is_seen_from_both_sides) noexcept {
   RayPatch patch{};
   if (is_seen_from_both_sides) patch.least_rise = -HUGE_VALF;
   set(patch.corner, corners[0]);
-  Triple normal{};
+  Double3 normal{};
   std::array<double, most_patch_corners> area{};
   double all = 0;
   for (std::size_t i = 2; i != corners.size(); ++i) {
-    const Triple of_triangle = across(between(corners[0], corners[i - 1]), between(corners[0], corners[i]));
+    const Double3 of_triangle = cross(between(corners[0], corners[i - 1]), between(corners[0], corners[i]));
     for (std::size_t k = 0; k != 3; ++k) normal[k] += of_triangle[k];
-    area[i - 2] = std::sqrt(product(of_triangle, of_triangle));
+    area[i - 2] = length(of_triangle);
     all += area[i - 2];
   }
-  const double length = std::sqrt(product(normal, normal));
-  if (length > 0) set(patch.normal, normal, length);
+  const double size = length(normal);
+  if (size > 0) set(patch.normal, normal, size);
   if (is_parallelogram(corners)) {
     set(patch.edge[0], between(corners[0], corners[1]));
     set(patch.edge[1], between(corners[0], corners[3]));

@@ -2,7 +2,6 @@
 #include "shaftcull/solids.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 #include <tuple>
@@ -11,12 +10,20 @@
 #include "shaftcull/error.hpp"
 #include "shaftcull/hull.hpp"
 #include "support/arguments.hpp"
+#include "support/double3.hpp"
 #include "support/fail.hpp"
 #include "support/float_environment.hpp"
 #include "support/text.hpp"
 
 namespace shaftcull {
 namespace {
+
+using kernel::between;
+using kernel::cross;
+using kernel::dot;
+using kernel::Double3;
+using kernel::in_doubles;
+using kernel::length;
 
 bool contains(const Box& outer, const Box& inner) noexcept {
   for (std::size_t k = 0; k != 3; ++k) {
@@ -73,7 +80,7 @@ void drop_contained(std::vector<Box>& boxes) {
 
 /// normal·p ≤ offset for all corners of a hull.
 struct HullPlane {
-  std::array<double, 3> normal;
+  Double3 normal;
   double offset;
 };
 
@@ -83,17 +90,11 @@ std::vector<HullPlane> planes_of(std::span<const Vec3> corners, double size) {
   for (std::size_t a = 0; a != corners.size(); ++a) {
     for (std::size_t b = a + 1; b != corners.size(); ++b) {
       for (std::size_t c = b + 1; c != corners.size(); ++c) {
-        std::array<double, 3> u{};
-        std::array<double, 3> v{};
-        for (std::size_t k = 0; k != 3; ++k) {
-          u[k] = double{corners[b][k]} - corners[a][k];
-          v[k] = double{corners[c][k]} - corners[a][k];
-        }
-        std::array<double, 3> n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-        const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-        if (!(length > 1e-9 * size * size)) continue;
-        for (double& x : n) x /= length;
-        const auto at = [&](const Vec3& p) { return n[0] * p[0] + n[1] * p[1] + n[2] * p[2]; };
+        Double3 n = cross(between(corners[a], corners[b]), between(corners[a], corners[c]));
+        const double area = length(n);
+        if (!(area > 1e-9 * size * size)) continue;
+        for (double& x : n) x /= area;
+        const auto at = [&](const Vec3& p) { return dot(n, in_doubles(p)); };
         const double offset = at(corners[a]);
         double least = 0;
         double largest = 0;
@@ -112,14 +113,14 @@ std::vector<HullPlane> planes_of(std::span<const Vec3> corners, double size) {
 
 /// Half the box around `middle` of largest volume that lies within all planes, nearly: coordinate after coordinate is
 /// made as large as the volume gains by it.
-std::array<double, 3> largest_half_extent(std::span<const HullPlane> planes, const std::array<double, 3>& middle) {
+Double3 largest_half_extent(std::span<const HullPlane> planes, const Double3& middle) {
   std::vector<double> room(planes.size());
   for (std::size_t p = 0; p != planes.size(); ++p) {
     const HullPlane& plane = planes[p];
     room[p] = plane.offset - (plane.normal[0] * middle[0] + plane.normal[1] * middle[1] + plane.normal[2] * middle[2]);
   }
   // How far a box of these proportions can grow.
-  const auto growth = [&](const std::array<double, 3>& half) {
+  const auto growth = [&](const Double3& half) {
     double least = 1e300;
     for (std::size_t p = 0; p != planes.size(); ++p) {
       double reach = 0;
@@ -128,11 +129,11 @@ std::array<double, 3> largest_half_extent(std::span<const HullPlane> planes, con
     }
     return least;
   };
-  const auto volume = [&](const std::array<double, 3>& half) {
+  const auto volume = [&](const Double3& half) {
     const double by = growth(half);
     return by * by * by * half[0] * half[1] * half[2];
   };
-  std::array<double, 3> best{1, 1, 1};
+  Double3 best{1, 1, 1};
   double most = volume(best);
   constexpr std::size_t steps = 9;
   double step = 4;  // then its square root, and so on: the last one is 1.005
@@ -141,7 +142,7 @@ std::array<double, 3> largest_half_extent(std::span<const HullPlane> planes, con
       has_gained = false;
       for (std::size_t k = 0; k != 3; ++k) {
         for (const double factor : {step, 1 / step}) {
-          std::array<double, 3> other = best;
+          Double3 other = best;
           other[k] *= factor;
           if (const double gained = volume(other); gained > most * (1 + 1e-9)) {
             most = gained;
@@ -169,7 +170,7 @@ Box box_inside(std::span<const Vec3> corners) {
   const ConvexHull hull(corners);
   if (classify(hull, around) == Answer::inside) return around;
   const Box point{corners[0], corners[0]};
-  std::array<double, 3> middle{};
+  Double3 middle{};
   double size = 0;
   for (std::size_t k = 0; k != 3; ++k) {
     for (const Vec3& corner : corners) middle[k] += corner[k] / static_cast<double>(corners.size());
@@ -177,7 +178,7 @@ Box box_inside(std::span<const Vec3> corners) {
   }
   const std::vector<HullPlane> planes = planes_of(corners, size);
   if (planes.empty()) return point;
-  const std::array<double, 3> half = largest_half_extent(planes, middle);
+  const Double3 half = largest_half_extent(planes, middle);
   // In doubles it fits but for rounding: so make it smaller until the exact predicate says so.
   constexpr std::size_t tries = 10;
   double less = 0x1p-20;

@@ -14,10 +14,6 @@ namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-double distance(const Direction& a, const Direction& b) noexcept {
-  return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));
-}
-
 /// Makes the groups of one tree.
 class TurnedGroupsOf {
  public:
@@ -29,7 +25,7 @@ class TurnedGroupsOf {
   [[nodiscard]] TurnedGroup of(const PatchGroup& group) const {
     const FacingPlanes planes = planes_of(group);
     const PatchCorners first = tree_.corners_of(group.first);
-    std::vector<Direction> edges;
+    std::vector<Double3> edges;
     for (std::size_t i = 0; i != first.all().size(); ++i) {
       const Vec3& from = first.all()[i];
       const Vec3& to = first.all()[(i + 1) % first.all().size()];
@@ -50,7 +46,7 @@ class TurnedGroupsOf {
   }
 
   [[nodiscard]] FacingPlanes planes_of(const PatchGroup& group) const {
-    Direction sum{};
+    Double3 sum{};
     for_each_patch(group, [&](std::uint32_t i) {
       for (std::size_t k = 0; k != 3; ++k) sum[k] += planes_[i].mean[k];
     });
@@ -59,7 +55,7 @@ class TurnedGroupsOf {
       const double along = component(planes.mean, tree_.corners_of(i).all().front());
       planes.least = std::min(planes.least, along);
       planes.largest = std::max(planes.largest, along);
-      planes.spread = std::max(planes.spread, planes_[i].spread + distance(planes.mean, planes_[i].mean));
+      planes.spread = std::max(planes.spread, planes_[i].spread + length(planes.mean - planes_[i].mean));
     });
     return planes;
   }
@@ -74,13 +70,13 @@ FacingPlanes facing_planes(std::span<const Vec3> corners) noexcept {
   const PatchNormals normals(corners);
   if (normals.all().empty()) return {{0, 0, 0}, 0, 0, unbounded};
   FacingPlanes planes{normals.all().front(), 0, 0, 0};
-  for (const Direction& normal : normals.all()) planes.spread = std::max(planes.spread, distance(normal, planes.mean));
+  for (const Double3& normal : normals.all()) planes.spread = std::max(planes.spread, length(normal - planes.mean));
   planes.spread += 0x1p-26;  // the error of computed normals, and of their distances
   planes.least = planes.largest = component(planes.mean, corners.front());
   return planes;
 }
 
-double farthest_of(std::span<const Vec3> points, const Direction& direction) noexcept {
+double farthest_of(std::span<const Vec3> points, const Double3& direction) noexcept {
   double farthest = component(direction, points.front());
   for (const Vec3& point : points.subspan(1)) farthest = std::max(farthest, component(direction, point));
   return farthest;
@@ -105,7 +101,7 @@ std::vector<TurnedGroup> turned_groups(const PatchTree& tree) {
 
 bool are_behind(const FacingPlanes& planes, double farthest, double reach, double coordinate,
                 double tolerance) noexcept {
-  const Direction& m = planes.mean;
+  const Double3& m = planes.mean;
   const double sum = std::fabs(m[0]) + std::fabs(m[1]) + std::fabs(m[2]);
   const double allowed = tolerance * std::max(0.0, sum - 2 * planes.spread);
   const double rounding = 0x1p-40 * (coordinate + tolerance);

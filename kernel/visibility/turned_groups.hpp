@@ -20,7 +20,7 @@ class PatchTree;
 /// and at most `largest` for a corner p of each patch that is in all of its planes. If a patch has no plane, `spread`
 /// is infinite.
 struct FacingPlanes {
-  Direction mean;
+  Double3 mean;
   double least;
   double largest;
   double spread;
@@ -43,7 +43,7 @@ struct TurnedGroup {
 [[nodiscard]] FacingPlanes facing_planes(std::span<const Vec3> corners) noexcept;
 
 /// The largest component of a point along a direction.
-[[nodiscard]] double farthest_of(std::span<const Vec3> points, const Direction& direction) noexcept;
+[[nodiscard]] double farthest_of(std::span<const Vec3> points, const Double3& direction) noexcept;
 /// The length of the diagonal of the box around two boxes, or more.
 [[nodiscard]] double reach_of(const float (&a)[6], const float (&b)[6]) noexcept;
 
