@@ -130,7 +130,7 @@ bool leave_after_entering(std::span<const Vec3> a, std::span<const Vec3> b, cons
     for (const Vec3& q : b) {
       if (!is_not_within(q, last, x)) continue;
       // With depths s in the half-space of `last` and e in that of `first`: s(p) e(q) − s(q) e(p).
-      const int later = compare(ProductOfDifferences{p[i], x, q[j], y}, ProductOfDifferences{q[i], x, p[j], y});
+      const int later = determinant_sign({p[i], x}, {q[i], x}, {p[j], y}, {q[j], y});
       if (later == (is_mirrored ? 1 : -1)) return false;
       is_strict |= later != 0;
     }

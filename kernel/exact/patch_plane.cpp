@@ -11,23 +11,14 @@
 namespace shaftcull::kernel {
 namespace {
 
-/// From one corner to another.
-struct Edge3 {
-  Step step[3];
-
-  Edge3(const Vec3& from, const Vec3& to) noexcept {
-    for (unsigned k = 0; k != 3; ++k) step[k] = {to[k], from[k]};
-  }
-};
-
 /// n · w − tolerance |n|₁ as an expansion, n = u × v.
-int exact_side(const Edge3& u, const Edge3& v, const Edge3& w, double tolerance) noexcept {
+int exact_side(const Steps& u, const Steps& v, const Steps& w, double tolerance) noexcept {
   Expansion<288> sum;
   for (unsigned k = 0; k != 3; ++k) {
     const unsigned i = (k + 1) % 3;
     const unsigned j = (k + 2) % 3;
-    const auto n = determinant<Expansion<2>>(u.step[i], u.step[j], v.step[i], v.step[j]);
-    const auto along = n * w.step[k].in<Expansion<2>>();
+    const auto n = determinant<Expansion<2>>(u.of[i], u.of[j], v.of[i], v.of[j]);
+    const auto along = n * w.of[k].in<Expansion<2>>();
     const auto allowed = n * (n.sign() < 0 ? tolerance : -tolerance);
     for (std::size_t t = 0; t != along.size(); ++t) sum.grow(along[t]);
     for (std::size_t t = 0; t != allowed.size(); ++t) sum.grow(allowed[t]);
@@ -36,16 +27,16 @@ int exact_side(const Edge3& u, const Edge3& v, const Edge3& w, double tolerance)
 }
 
 /// The sign of n · w − tolerance |n|₁.
-int side(const Edge3& u, const Edge3& v, const Edge3& w, double tolerance) noexcept {
+int side(const Steps& u, const Steps& v, const Steps& w, double tolerance) noexcept {
   double sum = 0;
   double magnitude = 0;
   for (unsigned k = 0; k != 3; ++k) {
     const unsigned i = (k + 1) % 3;
     const unsigned j = (k + 2) % 3;
-    const double left = u.step[i].rounded() * v.step[j].rounded();
-    const double right = u.step[j].rounded() * v.step[i].rounded();
+    const double left = u.of[i].rounded() * v.of[j].rounded();
+    const double right = u.of[j].rounded() * v.of[i].rounded();
     const double n = left - right;
-    const double along = w.step[k].rounded();
+    const double along = w.of[k].rounded();
     sum += n * along - tolerance * std::fabs(n);
     magnitude += (std::fabs(left) + std::fabs(right)) * (std::fabs(along) + tolerance);
   }
@@ -54,14 +45,14 @@ int side(const Edge3& u, const Edge3& v, const Edge3& w, double tolerance) noexc
   if (std::fabs(sum) > 24 * 0x1p-53 * magnitude) return sum > 0 ? 1 : -1;
   if (tolerance != 0) return exact_side(u, v, w, tolerance);
   constexpr double origin[3] = {0, 0, 0};
-  return SpannedPlane(origin, u.step, v.step).sign_along(w.step);
+  return SpannedPlane(origin, u.of, v.of).sign_along(w.of);
 }
 
-bool has_area(const Edge3& u, const Edge3& v) noexcept {
+bool has_area(const Steps& u, const Steps& v) noexcept {
   for (unsigned k = 0; k != 3; ++k) {
     const unsigned i = (k + 1) % 3;
     const unsigned j = (k + 2) % 3;
-    if (determinant_sign(u.step[i], u.step[j], v.step[i], v.step[j]) != 0) return true;
+    if (determinant_sign(u.of[i], u.of[j], v.of[i], v.of[j]) != 0) return true;
   }
   return false;
 }
@@ -69,7 +60,7 @@ bool has_area(const Edge3& u, const Edge3& v) noexcept {
 }  // namespace
 
 int height_sign(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& x, float tolerance) noexcept {
-  return side(Edge3(p, q), Edge3(p, r), Edge3(p, x), double{tolerance});
+  return side(Steps(p, q), Steps(p, r), Steps(p, x), double{tolerance});
 }
 
 namespace {
@@ -85,7 +76,7 @@ bool any_plane(std::span<const Vec3> polygon, float tolerance, const IsFound& is
     const auto lies_in = [&](const Vec3& x) {
       return height_sign(p, q, r, x, tolerance) <= 0 && height_sign(p, r, q, x, tolerance) <= 0;
     };
-    if (has_area(Edge3(p, q), Edge3(p, r)) && is_found(lies_in)) return true;
+    if (has_area(Steps(p, q), Steps(p, r)) && is_found(lies_in)) return true;
   }
   return false;
 }
@@ -122,10 +113,10 @@ bool are_on_one_side(std::span<const Vec3> a, std::span<const Vec3> b, const std
 
 bool is_behind_patch(std::span<const Vec3> corners, float tolerance, const Vec3& point) noexcept {
   bool has_plane = false;
-  const Edge3 to_point(corners[0], point);
+  const Steps to_point(corners[0], point);
   for (std::size_t i = 2; i < corners.size(); ++i) {
-    const Edge3 u(corners[0], corners[i - 1]);
-    const Edge3 v(corners[0], corners[i]);
+    const Steps u(corners[0], corners[i - 1]);
+    const Steps v(corners[0], corners[i]);
     const int where = side(u, v, to_point, double{tolerance});
     if (where > 0) return false;
     has_plane = has_plane || where < 0 || has_area(u, v);
@@ -166,10 +157,10 @@ bool ExactPlanes::is_box_behind(unsigned lane, const float (&box)[6]) const noex
 
 PatchNormals::PatchNormals(std::span<const Vec3> corners) noexcept {
   for (std::size_t i = 2; i < corners.size(); ++i) {
-    const Edge3 u(corners[0], corners[i - 1]);
-    const Edge3 v(corners[0], corners[i]);
+    const Steps u(corners[0], corners[i - 1]);
+    const Steps v(corners[0], corners[i]);
     constexpr double origin[3] = {0, 0, 0};
-    const SpannedPlane plane(origin, u.step, v.step);
+    const SpannedPlane plane(origin, u.of, v.of);
     std::array<double, 3>& normal = normal_[count_];
     double square = 0;
     for (unsigned k = 0; k != 3; ++k) {

@@ -5,53 +5,29 @@
 #include <cstddef>
 
 #include "exact/blocking.hpp"
-#include "exact/expansion.hpp"
-#include "exact/measured.hpp"
 #include "exact/orientation.hpp"
 #include "exact/sides.hpp"
+#include "support/double3.hpp"
 
 namespace shaftcull::kernel {
 namespace {
 
-/// A difference of doubles, rounded.
-struct Rounded {
-  static double difference(double a, double b) noexcept { return a - b; }
-};
-/// The magnitude of one.
-struct Magnitude {
-  static double difference(double a, double b) noexcept { return std::fabs(a - b); }
-};
-
-/// (b − a) · ((p − a) × (q − a)) in the arithmetic of `Number`, Rounded, Measured or Expansion<2>.
-template <class Number>
-auto orientation_in(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q) noexcept {
-  const auto along = [&](std::size_t k) { return Number::difference(b[k], a[k]); };
-  const auto cross = [&](std::size_t i, std::size_t j) {
-    return Number::difference(p[i], a[i]) * Number::difference(q[j], a[j]) -
-           Number::difference(p[j], a[j]) * Number::difference(q[i], a[i]);
-  };
-  return cross(1, 2) * along(0) + cross(2, 0) * along(1) + cross(0, 1) * along(2);
-}
-
-/// The same with every term's magnitude.
-double magnitude(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q) noexcept {
-  const auto from_a = [&](const Vec3& x, std::size_t k) { return Magnitude::difference(x[k], a[k]); };
-  double sum = 0;
+/// The sign of (b − a) · ((p − a) × (q − a)), or 0 if it is not certain.
+int certain_orientation(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q) noexcept {
+  const Double3 u = between(a, p);
+  const Double3 v = between(a, q);
+  const Double3 w = between(a, b);
+  double magnitude = 0;
   for (std::size_t k = 0; k != 3; ++k) {
     const std::size_t i = (k + 1) % 3;
     const std::size_t j = (k + 2) % 3;
-    sum += from_a(b, k) * (from_a(p, i) * from_a(q, j) + from_a(p, j) * from_a(q, i));
+    magnitude += std::fabs(w[k]) * (std::fabs(u[i] * v[j]) + std::fabs(u[j] * v[i]));
   }
-  return sum;
-}
-
-/// The sign of (b − a) · ((p − a) × (q − a)), or 0 if it is not certain.
-int certain_orientation(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q) noexcept {
   // Each of three factors is a rounded difference; two products, a difference and two sums round as well: fewer than 8
   // roundings a term. Products of three differences of floats neither over- nor underflow.
   constexpr double margin = 16 * 0x1p-53;
-  const double value = orientation_in<Rounded>(a, b, p, q);
-  if (std::fabs(value) > margin * magnitude(a, b, p, q)) return value > 0 ? 1 : -1;
+  const double value = dot(cross(u, v), w);
+  if (std::fabs(value) > margin * magnitude) return value > 0 ? 1 : -1;
   return 0;
 }
 
@@ -60,9 +36,7 @@ int certain_orientation(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3&
 int orientation(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q) noexcept {
   const int certain = certain_orientation(a, b, p, q);
   if (certain != 0) return certain;
-  const Measured measured = orientation_in<Measured>(a, b, p, q);
-  if (measured.is_known()) return measured.is_positive() ? 1 : measured.is_negative() ? -1 : 0;
-  return orientation_in<Expansion<2>>(a, b, p, q).sign();
+  return exact_sign(Steps(a, p).of, Steps(a, q).of, Steps(a, b).of);
 }
 
 /// Whether a segment certainly passes two edges of a polygon on different sides. Then so do segments near it: the ends

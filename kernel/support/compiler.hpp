@@ -31,7 +31,16 @@
 #define SHAFTCULL_TARGET_ARM64
 #endif
 
+/// Whether there are integers of 128 bits: on 64-bit processors.
+#if defined(__SIZEOF_INT128__)
+#define SHAFTCULL_HAS_INT128
+#endif
+
 namespace shaftcull::kernel {
+
+#ifdef SHAFTCULL_HAS_INT128
+__extension__ using Int128 = __int128;
+#endif
 
 /// A vector of `count` elements: operators work on each, comparisons give −1 or 0 in integers of the same size, and
 /// `mask ? a : b` takes a where the mask is −1. The types of a processor's own intrinsics convert from it and to it.

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "exact/orientation.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+#include "exact/expansion.hpp"
+#include "support/compiler.hpp"
+
+namespace shaftcull::kernel {
+namespace {
+
+using Exact = Expansion<2>;
+
+#ifdef SHAFTCULL_HAS_INT128
+
+int sign_of(Int128 x) noexcept { return x > 0 ? 1 : x < 0 ? -1 : 0; }
+
+/// Steps along one axis, times a power of two, as whole numbers below 2^bits. Returns false if they are none.
+template <int count>
+bool take_whole(int bits, const Step* const (&steps)[count], std::int64_t (&whole)[count]) noexcept {
+  double difference[count];
+  double largest = 0;
+  bool are_exact = true;
+  for (int i = 0; i < count; ++i) {
+    const TwoTerms d = two_sum(steps[i]->end, -steps[i]->start);
+    difference[i] = d.sum;
+    largest = std::max(largest, std::fabs(d.sum));
+    are_exact = are_exact && d.error == 0;
+  }
+  // Differences of floats are no denormal doubles, and neither is the power of two. That of 0 is 2^0.
+  constexpr int bias = 1023;
+  const int exponent = largest == 0 ? bits - 1 : static_cast<int>(std::bit_cast<std::uint64_t>(largest) >> 52U) - bias;
+  const double power = std::bit_cast<double>(static_cast<std::uint64_t>(bias + bits - 1 - exponent) << 52U);
+  for (int i = 0; i < count; ++i) {
+    const double scaled = difference[i] * power;
+    whole[i] = static_cast<std::int64_t>(scaled);
+    are_exact = are_exact && static_cast<double>(whole[i]) == scaled;
+  }
+  return are_exact;
+}
+
+/// The sign of (u × v) · w in integers of 128 bits, if they are enough: the six products are below 2^123.
+std::optional<int> whole_sign(const Step (&u)[3], const Step (&v)[3], const Step (&w)[3]) noexcept {
+  std::int64_t of[3][3];
+  for (unsigned k = 0; k < 3; ++k) {
+    if (!take_whole(41, {&u[k], &v[k], &w[k]}, of[k])) return {};
+  }
+  Int128 sum = 0;
+  for (unsigned k = 0; k < 3; ++k) {
+    const std::int64_t(&i)[3] = of[(k + 1) % 3];
+    const std::int64_t(&j)[3] = of[(k + 2) % 3];
+    sum += (Int128{i[0]} * j[1] - Int128{j[0]} * i[1]) * of[k][2];
+  }
+  return sign_of(sum);
+}
+
+/// Likewise of a · d − b · c.
+std::optional<int> whole_sign(const Step& a, const Step& b, const Step& c, const Step& d) noexcept {
+  std::int64_t i[2];
+  std::int64_t j[2];
+  if (!take_whole(62, {&a, &c}, i) || !take_whole(62, {&b, &d}, j)) return {};
+  return sign_of(Int128{i[0]} * j[1] - Int128{j[0]} * i[1]);
+}
+
+#else
+
+std::optional<int> whole_sign(const Step (&)[3], const Step (&)[3], const Step (&)[3]) noexcept { return {}; }
+std::optional<int> whole_sign(const Step&, const Step&, const Step&, const Step&) noexcept { return {}; }
+
+#endif
+
+}  // namespace
+
+int exact_sign(const Step (&u)[3], const Step (&v)[3], const Step (&w)[3]) noexcept {
+  if (const std::optional<int> sign = whole_sign(u, v, w)) return *sign;
+  return (determinant<Exact>(u[1], u[2], v[1], v[2]) * w[0].in<Exact>() +
+          determinant<Exact>(u[2], u[0], v[2], v[0]) * w[1].in<Exact>() +
+          determinant<Exact>(u[0], u[1], v[0], v[1]) * w[2].in<Exact>())
+      .sign();
+}
+
+int exact_sign(const Step& a, const Step& b, const Step& c, const Step& d) noexcept {
+  if (const std::optional<int> sign = whole_sign(a, b, c, d)) return *sign;
+  return determinant<Exact>(a, b, c, d).sign();
+}
+
+double exact_determinant(const Step& a, const Step& b, const Step& c, const Step& d) noexcept {
+  const auto exact = determinant<Exact>(a, b, c, d);
+  double sum = 0;
+  for (std::size_t i = 0; i < exact.size(); ++i) sum += exact[i];  // smallest first
+  return sum;
+}
+
+}  // namespace shaftcull::kernel
