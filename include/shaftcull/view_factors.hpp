@@ -40,7 +40,7 @@ struct ViewFactorOptions {
   std::uint32_t rays = 4096;
   /// A pair gets fewer rays if the estimated standard error of both its factors is at most this: it gets 16 rays first,
   /// then as many again, and so on. With 0, each undecided pair gets all rays.
-  double error = 2e-5;
+  double error = 1.5e-5;
   std::uint64_t seed = 1;  ///< as RayOptions::seed
   /// Pairs both of whose factors are below this are left out of the matrix; ViewFactors::left_out has their sums.
   double least = 0;

@@ -9,16 +9,28 @@
 
 namespace shaftcull::kernel {
 
-void RayWeights::add(const RayPacket& packet, std::uint64_t in_front, std::uint64_t unmet) noexcept {
-  for (std::uint64_t rays = in_front; rays != 0; rays &= rays - 1) {
-    const auto ray = static_cast<unsigned>(std::countr_zero(rays));
-    const double weight = packet.weight[ray];
-    all += weight;
-    squares += weight * weight;
-    if ((unmet >> ray & 1U) == 0) continue;
-    of_seen += weight;
-    squares_of_seen += weight * weight;
+void RayWeights::add(const RayPacket& packet, std::uint64_t unmet) noexcept {
+  // Four rays at a time: each of four sums has every fourth ray. Weights are finite, or no use is made of the sums.
+  static constexpr double kept[16][4] = {
+      {0, 0, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}, {1, 1, 0, 0}, {0, 0, 1, 0}, {1, 0, 1, 0}, {0, 1, 1, 0}, {1, 1, 1, 0},
+      {0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}, {1, 1, 0, 1}, {0, 0, 1, 1}, {1, 0, 1, 1}, {0, 1, 1, 1}, {1, 1, 1, 1}};
+  double sum[4][4]{};
+  for (unsigned ray = 0; ray < packet.count; ray += 4) {
+    const double(&seen)[4] = kept[unmet >> ray & 15U];
+    for (unsigned i = 0; i < 4; ++i) {
+      const double weight = packet.weight[ray + i];
+      const double weight_of_seen = weight * seen[i];
+      sum[0][i] += weight;
+      sum[1][i] += weight_of_seen;
+      sum[2][i] += weight * weight;
+      sum[3][i] += weight_of_seen * weight_of_seen;
+    }
   }
+  const auto total = [&](unsigned s) { return (sum[s][0] + sum[s][1]) + (sum[s][2] + sum[s][3]); };
+  all += total(0);
+  of_seen += total(1);
+  squares += total(2);
+  squares_of_seen += total(3);
 }
 
 SeenShare::SeenShare(const RayTally& tally, const RayWeights& weights, double mean_weight) noexcept
@@ -66,7 +78,7 @@ void SightRays::cast_packet(PatchPair pair, const RayShift& shift, std::span<con
       targets_.kernels().form(a_->patches[pair.a], b_->patches[pair.b], points, shift.of, count, packet);
   const std::uint64_t unmet = targets_.unmet(packet, candidates, facing);
   tally.add(count, facing, unmet);
-  if (weights != nullptr) weights->add(packet, facing, unmet);
+  if (weights != nullptr) weights->add(packet, unmet);
 }
 
 }  // namespace shaftcull::kernel

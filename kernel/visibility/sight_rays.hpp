@@ -14,15 +14,14 @@
 
 namespace shaftcull::kernel {
 
-/// Of the rays of a pair that leave and arrive in front, sums of RayPacket::weight. They are in the order of the rays,
-/// so they are the same bits everywhere.
+/// Sums of RayPacket::weight of the rays of a pair. Their order is the same everywhere, and so are their bits.
 struct RayWeights {
   double all = 0;
   double of_seen = 0;
   double squares = 0;
   double squares_of_seen = 0;
 
-  void add(const RayPacket& packet, std::uint64_t in_front, std::uint64_t unmet) noexcept;
+  void add(const RayPacket& packet, std::uint64_t unmet) noexcept;
 };
 
 /// Which part of the weight arrives, and the standard error of that.

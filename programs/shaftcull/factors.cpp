@@ -87,7 +87,7 @@ void add_factors(CLI::App& program) {
              "Maximum number of rays per partly visible pair (default: 4096)")
       ->type_name("S");
   add_number(factors, "--error", options->ask.error, 0, 1,
-             "Cast fewer rays if the standard error of the factor is at most this (default: 0.00002)")
+             "Cast fewer rays if the standard error of the factor is at most this (default: 0.000015)")
       ->type_name("E");
   CLI::Option* least = add_number(factors, "--min", options->ask.least, 0, 1,
                                   "Leave out smaller factors, and report what they add up to")

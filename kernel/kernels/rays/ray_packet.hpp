@@ -33,7 +33,8 @@ struct RayPacket {
   alignas(64) float from[3][most_packet_rays];
   alignas(64) float way[3][most_packet_rays];
   alignas(64) float inverse[3][most_packet_rays];  ///< of `way`
-  /// cos θ₁ cos θ₂ / r², but for a factor that all rays of a pair have in common.
+  /// cos θ₁ cos θ₂ / r², but for a factor that all rays of a pair have in common; 0 for rays that leave or arrive
+  /// behind.
   alignas(64) float weight[most_packet_rays];
 };
 

@@ -88,12 +88,13 @@ std::uint64_t form_rays(const RayPatch& a, const RayPatch& b, const float* const
     }
     const Vector leaving = dot<L>(way, a.normal);
     const Vector arriving = L::subtract(none, dot<L>(way, b.normal));
-    facing |= L::bits(L::both(L::less(L::all(a.least_rise), leaving), L::less(L::all(b.least_rise), arriving))) << lane;
+    const auto in_front = L::both(L::less(L::all(a.least_rise), leaving), L::less(L::all(b.least_rise), arriving));
+    facing |= L::bits(in_front) << lane;
     const Vector weight = L::multiply(L::divide(leaving, square), L::divide(arriving, square));
     from.store(packet.from, lane);
     way.store(packet.way, lane);
     inverse.store(packet.inverse, lane);
-    L::store(packet.weight + lane, L::magnitude(weight));
+    L::store(packet.weight + lane, L::choose(in_front, L::magnitude(weight), none));
   }
   return facing;
 }
