@@ -44,6 +44,17 @@ Occluders triangles_of(const PatchScene& scene) {
   return occluders;
 }
 
+void answer(const Question& question, std::vector<float>& fractions) {
+  for (const OpenPairs& open : question.products) {
+    fractions.resize(open.facing.size());
+    visible_fractions(open.a, open.b, question.occluders,
+                      {open.found.undecided, open.found.first_candidate, open.found.candidates}, fractions,
+                      {.rays = rays});
+    benchmark::DoNotOptimize(fractions.data());
+  }
+}
+
+/// Ready for use: the first call prepares the occluders, as Embree's tree is prepared.
 std::shared_ptr<Question> question_of(SeesScene& sees, RayTargets targets) {
   const PatchScene& scene = sees.scene();
   auto question = std::make_shared<Question>();
@@ -57,6 +68,8 @@ std::shared_ptr<Question> question_of(SeesScene& sees, RayTargets targets) {
     question->pairs += open.facing.size();
     if (!open.facing.empty()) question->products.push_back(std::move(open));
   }
+  std::vector<float> fractions;
+  answer(*question, fractions);
   return question;
 }
 
@@ -74,15 +87,7 @@ void declare_undecided(Suite& suite, const std::shared_ptr<SeesScene>& sees, Ray
         select_isa(measured_isa());
         const Question& all = asked();
         std::vector<float> fractions;
-        for (auto _ : state) {
-          for (const OpenPairs& open : all.products) {
-            fractions.resize(open.facing.size());
-            visible_fractions(open.a, open.b, all.occluders,
-                              {open.found.undecided, open.found.first_candidate, open.found.candidates}, fractions,
-                              {.rays = rays});
-            benchmark::DoNotOptimize(fractions.data());
-          }
-        }
+        for (auto _ : state) answer(all, fractions);
         state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(all.pairs));
       },
       options);
