@@ -1136,11 +1136,11 @@ typedef struct shaftcull_view_factor_options {
   void* user;                           /* passed to the callback */
 } shaftcull_view_factor_options;
 
-/// The default options: 256 MB, seed 1, error 1.5e-5, all pairs, 4096 rays, rows as they are, no tolerance, no
+/// The default options: 256 MB, seed 1, error 1e-5, all pairs, 4096 rays, rows as they are, no tolerance, no
 /// callback. Never fails.
 static inline shaftcull_view_factor_options shaftcull_default_view_factor_options(void) {
   const shaftcull_view_factor_options options = {
-      268435456, 1, 1.5e-5, 0, 4096, 0, 0, 0, 1, (shaftcull_progress_callback)0, (void*)0};
+      268435456, 1, 1e-5, 0, 4096, 0, 0, 0, 1, (shaftcull_progress_callback)0, (void*)0};
   return options;
 }
 

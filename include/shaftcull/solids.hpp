@@ -83,9 +83,10 @@ struct SolidSearch {
 /// face, none is left out.
 ///
 /// * A closed part whose faces look outwards is the surface of a body of matter. If it is convex, it is found as a hull
-///   with all of its corners, or 256 of them. Corners of a turned body are rounded, so few such bodies are exactly
-///   convex. The corners of the hull are then moved towards the middle, by at most a 250th of the way, so that the hull
-///   lies within the body.
+///   with all of its corners, or 256 of them; corners that stick out by no more than rounding may be missing. Corners
+///   of a turned body are rounded, so few such bodies are exactly convex. The corners of the hull are then moved
+///   towards the middle, by at most a 250th of the way, so that the hull lies within the body. A slanted body that is a
+///   thousand times as long as it is thick may not be found.
 /// * If such a part is not convex, up to 16 of the larger boxes inside it are found. There may be still larger ones.
 /// * A closed part that has another part wholly inside it is a shell, such as that of a building with rooms, and not a
 ///   body. A room, whose faces look inwards, is not a body, and neither is a part that is not closed.

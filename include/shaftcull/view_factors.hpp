@@ -22,7 +22,8 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// polygon that is behind the plane of the other polygon does not count. Corners may be slightly out of plane, as those
 /// of turned walls are. Polygons may share corners and edges.
 ///
-/// The error is below 10⁻⁸ of the factor, or 10⁻¹¹ where that is more. The result has the same bits on every machine
+/// The error is below 10⁻⁸ of the factor, or 10⁻¹¹ where that is more; for slivers next to a polygon that is much
+/// larger, 10⁻⁹. The result has the same bits on every machine
 /// and every instruction set. Both factors of a pair are the same number divided by the area of one or the other
 /// polygon, so A₁ F₁₂ = A₂ F₂₁ except for one rounding.
 ///
@@ -38,9 +39,10 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 struct ViewFactorOptions {
   /// The largest number of rays per undecided pair; a multiple of 16 is cast. 1 to 65536.
   std::uint32_t rays = 4096;
-  /// A pair gets fewer rays if the estimated standard error of both its factors is at most this: it gets 16 rays first,
-  /// then as many again, and so on. With 0, each undecided pair gets all rays.
-  double error = 1.5e-5;
+  /// A pair gets fewer rays if the standard error of both its factors is expected to be at most this, whatever its rays
+  /// meet: it gets 16 rays first, then as many again, and so on. With 0, each undecided pair gets all rays. The factors
+  /// of large patches may need more than `rays` for this; ViewFactors::error shows it.
+  double error = 1e-5;
   std::uint64_t seed = 1;  ///< as RayOptions::seed
   /// Pairs both of whose factors are below this are left out of the matrix; ViewFactors::left_out has their sums.
   double least = 0;

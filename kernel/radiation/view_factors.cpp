@@ -113,8 +113,8 @@ class Exchanges {
         const kernel::RayTally tally =
             rays_.cast(pair, undecided.candidates.subspan(first, undecided.first_candidate[i + 1] - first),
                        options_.rays, &weights, [&](const kernel::RayTally& so_far) {
-                         return options_.error != 0 &&
-                                factor * kernel::SeenShare(so_far, weights, mean_weight).error <= options_.error;
+                         const kernel::RayPrecision precision(so_far, weights, mean_weight);
+                         return options_.error != 0 && factor * precision.expected_error() <= options_.error;
                        });
         const kernel::SeenShare seen(tally, weights, mean_weight);
         found.push_back({pair, most * seen.part, most * seen.error});

@@ -33,6 +33,18 @@ void RayWeights::add(const RayPacket& packet, std::uint64_t unmet) noexcept {
   squares_of_seen += total(3);
 }
 
+RayPrecision::RayPrecision(const RayTally& tally, const RayWeights& weights, double mean_weight) noexcept
+    : inverse_of_count(1), lack(0) {
+  if (tally.facing == 0) return;
+  inverse_of_count = std::min(1.0, weights.squares / (weights.all * weights.all));
+  lack = std::max(0.0, 1 - weights.all / tally.rays / mean_weight) * std::sqrt(inverse_of_count);
+}
+
+double RayPrecision::expected_error() const noexcept {
+  constexpr double of_one = 0.25;
+  return std::max(of_one * std::sqrt(inverse_of_count), lack);
+}
+
 SeenShare::SeenShare(const RayTally& tally, const RayWeights& weights, double mean_weight) noexcept
     : part(0), error(0) {
   if (tally.facing == 0) {  // nothing is known
@@ -43,11 +55,8 @@ SeenShare::SeenShare(const RayTally& tally, const RayWeights& weights, double me
   const double mean = weights.all / rays;
   const double mean_of_seen = weights.of_seen / rays;
   const double variance = weights.squares / rays - mean * mean;
-  // Where few of the rays have most of the weight, only they count. One ray more may be the first that arrives, or does
-  // not. Of weight that no ray has, the part that arrives is known only as well as that of so many rays.
-  const double inverse_of_count = std::min(1.0, weights.squares / (weights.all * weights.all));
-  const double lack = std::max(0.0, 1 - mean / mean_weight) * std::sqrt(inverse_of_count);
-  error = std::max(lack, inverse_of_count);
+  const RayPrecision precision(tally, weights, mean_weight);
+  error = std::max(precision.lack, precision.inverse_of_count);  // one ray more may be the first that arrives, or not
   if (tally.seen == 0) return;
   part = static_cast<double>(tally.seen) / tally.facing;
   if (tally.seen == tally.facing || !(variance > 0) || !(mean_weight > 0) || !std::isfinite(variance)) return;
@@ -56,7 +65,7 @@ SeenShare::SeenShare(const RayTally& tally, const RayWeights& weights, double me
   part = std::clamp((mean_of_seen - slope * (mean - mean_weight)) / mean_weight, 0.0, 1.0);
   const double variance_of_seen = weights.squares_of_seen / rays - mean_of_seen * mean_of_seen;
   const double left = std::max(0.0, variance_of_seen - slope * covariance);
-  error = std::min(1.0, std::max({lack, error / 4, std::sqrt(left / rays) / mean_weight}));
+  error = std::min(1.0, std::max({precision.lack, error / 4, std::sqrt(left / rays) / mean_weight}));
 }
 
 SightRays::SightRays(const PatchTree& a, const PatchTree& b, const OccluderData& occluders, float tolerance,

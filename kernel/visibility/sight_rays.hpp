@@ -24,13 +24,28 @@ struct RayWeights {
   void add(const RayPacket& packet, std::uint64_t unmet) noexcept;
 };
 
+/// How well rays with some weights show which part of all weight arrives, whatever they meet.
+struct RayPrecision {
+  double inverse_of_count;  ///< 1 by the number of rays; where few have most of the weight, only they count
+  double lack;              ///< the error for weight that no ray has, which is known only as well as by so many rays
+
+  /// Given the mean weight of all rays that there might be, those that leave or arrive behind included.
+  RayPrecision(const RayTally& tally, const RayWeights& weights, double mean_weight) noexcept;
+
+  /// The standard error to expect if about half arrives. Points fill patches evenly, so it is half of what it would be
+  /// for independent rays. Rays that are cast until this is small enough are as many whatever they meet: if what they
+  /// met decided, few would be cast where none of the first arrives by chance, and sums over many pairs would be too
+  /// small.
+  [[nodiscard]] double expected_error() const noexcept;
+};
+
 /// Which part of the weight arrives, and the standard error of that.
 struct SeenShare {
   double part;
   double error;
 
-  /// Given the mean weight of all rays that there might be, those that leave or arrive behind included. Weights of the
-  /// rays that were cast differ from it by chance, and what arrives differs with them: so much of it is taken back.
+  /// Weights of the rays that were cast differ from the mean by chance, and what arrives differs with them: so much of
+  /// it is taken back.
   /// Where patches touch, few rays have most of the weight, and this makes the error several times smaller. (A
   /// regression estimator: W. G. Cochran, "Sampling Techniques", 1977.)
   SeenShare(const RayTally& tally, const RayWeights& weights, double mean_weight) noexcept;

@@ -87,10 +87,10 @@ void add_factors(CLI::App& program) {
              "Maximum number of rays per partly visible pair (default: 4096)")
       ->type_name("S");
   add_number(factors, "--error", options->ask.error, 0, 1,
-             "Cast fewer rays if the standard error of the factor is at most this (default: 0.000015)")
+             "Cast fewer rays if the standard error of the factor is at most this (default: 0.00001)")
       ->type_name("E");
   CLI::Option* least = add_number(factors, "--min", options->ask.least, 0, 1,
-                                  "Leave out smaller factors, and report what they add up to")
+                                  "Leave out pairs whose factors are both smaller, and report what they add up to")
                            ->type_name("F");
   factors.add_flag("--close", options->ask.close_rows,
                    "Scale factors so that they sum to 1 for each patch, as in a closed room");

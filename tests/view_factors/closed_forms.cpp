@@ -64,6 +64,14 @@ TEST(ViewFactorInClosedForm, OfRectanglesWithACommonEdge) {
   }
 }
 
+/// From a pentagon to a square across it, with a common edge: the value is published, to seven digits.
+TEST(ViewFactorInClosedForm, OfASquareAndAPentagonIsThePublishedOne) {
+  const Corners pentagon{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0.5F, 2, 0}, {0, 1, 0}};
+  const Corners square{{0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}};
+  EXPECT_NEAR(view_factor(pentagon, square), 0.1541243, 5e-8);
+  EXPECT_NEAR(view_factor(square, pentagon), 1.5 * 0.1541243, 8e-8);  // by the ratio of areas
+}
+
 /// Two long strips with a common edge and an angle between them: crossed strings, (1 + 1 − third side) / 2, if they
 /// were endless. Ends of strips that are 4,000 wide take 1 / 4,000 of it or so.
 TEST(ViewFactorInClosedForm, OfLongStripsIsThatOfCrossedStrings) {

@@ -1487,7 +1487,7 @@ static void rays_and_view_factors(void) {
 
   OK(shaftcull_occluders_add_polygons(occluders, screen, 4, first_of_screen, 1, NULL));
   shaftcull_view_factor_options options = shaftcull_default_view_factor_options();
-  CHECK(options.memory == UINT64_C(256) << 20 && options.seed == 1 && options.error == 1.5e-5 && options.least == 0);
+  CHECK(options.memory == UINT64_C(256) << 20 && options.seed == 1 && options.error == 1e-5 && options.least == 0);
   CHECK(options.rays == 4096 && options.close_rows == 0 && options.tolerance == 0 && options.progress == NULL);
   sights_told told = {0, 0, SHAFTCULL_SIGHT_CLEAR, 0};
   options.progress = on_progress;

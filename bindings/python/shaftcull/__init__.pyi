@@ -1407,7 +1407,7 @@ def view_factors(
     triangles: _Floats | None = None,
     faces: _Integers | None = None,
     rays: int = 4096,
-    error: float = 1.5e-05,
+    error: float = 1e-05,
     seed: int = 1,
     least: float = 0.0,
     close: bool = False,

@@ -657,7 +657,7 @@ export interface LitScene extends RayOptions,
 }
 
 /**
- * Patches that radiate, the objects between them, and options: by default at most 4096 `rays`, and an `error` of 1.5e-5.
+ * Patches that radiate, the objects between them, and options: by default at most 4096 `rays`, and an `error` of 1e-5.
  */
 export interface ViewFactorScene extends RayOptions,
     Pick<VisibilityScene, 'patches' | 'planes' | 'corners' | 'boxes' | 'solids' | 'hulls' | 'polygons' | 'triangles' |

@@ -14,7 +14,7 @@ export function viewFactor(module, from, to) {
 }
 
 const names = ['findSolids', 'tolerance', 'memory', 'part', 'parts', 'rays', 'error', 'seed', 'least', 'closeRows'];
-const defaults = {memory: defaultMemory, seed: 1, error: 1.5e-5, least: 0, rays: 4096, parts: 1};
+const defaults = {memory: defaultMemory, seed: 1, error: 1e-5, least: 0, rays: 4096, parts: 1};
 
 export function viewFactors(module, scene) {
   return withScene(module, scene, names, ({a, b, occluders}, make, scratch) => {
