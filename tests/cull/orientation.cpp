@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -67,7 +66,9 @@ TEST(Orientation, IsThatOfRationalNumbers) {
   constexpr std::uint64_t seed = 811;
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
-  std::array<std::size_t, 3> found{};
+  std::size_t behind = 0;
+  std::size_t in_plane = 0;
+  std::size_t in_front = 0;
   for (std::uint64_t i = 0; i != random_cases(30'000); ++i) {
     Step u[3];
     Step v[3];
@@ -86,14 +87,14 @@ TEST(Orientation, IsThatOfRationalNumbers) {
     }
     constexpr double origin[3] = {0, 0, 0};
     const int right = right_sign(u, v, w);
-    ++found[static_cast<std::size_t>(right + 1)];
+    ++(right < 0 ? behind : right > 0 ? in_front : in_plane);
     ASSERT_EQ(kernel::SpannedPlane(origin, u, v).sign_along(w), right) << i;
     ASSERT_EQ(kernel::exact_sign(u, v, w), right) << i;
     const int right_in_plane = sgn(mpq_class(exact(u[0]) * exact(v[1]) - exact(u[1]) * exact(v[0])));
     ASSERT_EQ(kernel::determinant_sign(u[0], u[1], v[0], v[1]), right_in_plane) << i;
     ASSERT_EQ(kernel::exact_sign(u[0], u[1], v[0], v[1]), right_in_plane) << i;
   }
-  for (const std::size_t count : found) EXPECT_GT(count, random_cases(3000));
+  for (const std::size_t count : {behind, in_plane, in_front}) EXPECT_GT(count, random_cases(3000));
 }
 
 }  // namespace
