@@ -58,18 +58,9 @@ std::optional<int> whole_sign(const Step (&u)[3], const Step (&v)[3], const Step
   return sign_of(sum);
 }
 
-/// Likewise of a · d − b · c.
-std::optional<int> whole_sign(const Step& a, const Step& b, const Step& c, const Step& d) noexcept {
-  std::int64_t i[2];
-  std::int64_t j[2];
-  if (!take_whole(62, {&a, &c}, i) || !take_whole(62, {&b, &d}, j)) return {};
-  return sign_of(Int128{i[0]} * j[1] - Int128{j[0]} * i[1]);
-}
-
 #else
 
 std::optional<int> whole_sign(const Step (&)[3], const Step (&)[3], const Step (&)[3]) noexcept { return {}; }
-std::optional<int> whole_sign(const Step&, const Step&, const Step&, const Step&) noexcept { return {}; }
 
 #endif
 
@@ -84,8 +75,16 @@ int exact_sign(const Step (&u)[3], const Step (&v)[3], const Step (&w)[3]) noexc
 }
 
 int exact_sign(const Step& a, const Step& b, const Step& c, const Step& d) noexcept {
-  if (const std::optional<int> sign = whole_sign(a, b, c, d)) return *sign;
-  return determinant<Exact>(a, b, c, d).sign();
+  const auto difference = [](const Step& step) { return two_sum(step.end, -step.start); };
+  const TwoTerms of[4] = {difference(a), difference(d), difference(b), difference(c)};
+  if (of[0].error != 0 || of[1].error != 0 || of[2].error != 0 || of[3].error != 0) {
+    return determinant<Exact>(a, b, c, d).sign();
+  }
+  const TwoTerms left = two_product(of[0].sum, of[1].sum);
+  const TwoTerms right = two_product(of[2].sum, of[3].sum);
+  // Of numbers that are rounded to different doubles, the one with the larger double is larger.
+  if (left.sum != right.sum) return left.sum > right.sum ? 1 : -1;
+  return left.error > right.error ? 1 : left.error < right.error ? -1 : 0;
 }
 
 double exact_determinant(const Step& a, const Step& b, const Step& c, const Step& d) noexcept {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 /// On which side of a plane through vertices of a hull a point is: signs of determinants, exactly.
 ///
-/// Doubles with a bound on their error decide nearly always. Of the others, most are 0. A determinant keeps its sign if
-/// all steps along one axis are multiplied by a power of two; differences of floats are whole numbers then, and unless
-/// their sizes differ very much, integers of 128 bits decide in a tenth of the time of expansions, which decide the
-/// rest. (J. R. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", Discrete
-/// & Computational Geometry 18, 1997.) Coordinates are floats, so that no product of three differences over- or
-/// underflows.
+/// Doubles with a bound on their error decide nearly always. Of the others, most are 0. Two products of differences
+/// that doubles have without rounding are compared with their rounding errors. A determinant of three vectors keeps its
+/// sign if all steps along one axis are multiplied by a power of two; differences of floats are whole numbers then, and
+/// unless their sizes differ very much, integers of 128 bits decide in a tenth of the time of expansions, which decide
+/// the rest. (J. R. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates",
+/// Discrete & Computational Geometry 18, 1997.) Coordinates are floats, so that no product of three differences over-
+/// or underflows.
 #pragma once
 
 #include <cmath>
@@ -56,6 +57,7 @@ auto determinant(const Step& a, const Step& b, const Step& c, const Step& d) noe
   const double right = b.rounded() * c.rounded();
   const double difference = left - right;
   if (std::fabs(difference) > 8 * unit * (std::fabs(left) + std::fabs(right))) return difference > 0 ? 1 : -1;
+  if (left == 0 && right == 0) return 0;  // no product of two differences underflows
   return exact_sign(a, b, c, d);
 }
 
