@@ -23,9 +23,8 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// of turned walls are. Polygons may share corners and edges.
 ///
 /// The error is below 10⁻⁸ of the factor, or 10⁻¹¹ where that is more; for slivers next to a polygon that is much
-/// larger, 10⁻⁹. The result has the same bits on every machine
-/// and every instruction set. Both factors of a pair are the same number divided by the area of one or the other
-/// polygon, so A₁ F₁₂ = A₂ F₂₁ except for one rounding.
+/// larger, 10⁻⁹. The result has the same bits on every machine and every instruction set. Both factors of a pair are
+/// the same number divided by the area of one or the other polygon, so A₁ F₁₂ = A₂ F₂₁ except for one rounding.
 ///
 /// About 0.4 µs for two squares that are far from each other, 6 µs at the distance of one side, and 15 µs if they share
 /// an edge, since the integrand is not smooth there. Allocates nothing, and is safe to call from many threads.

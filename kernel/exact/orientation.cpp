@@ -19,26 +19,21 @@ using Exact = Expansion<2>;
 
 int sign_of(Int128 x) noexcept { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
-/// Steps along one axis, times a power of two, as whole numbers below 2^bits. Returns false if they are none.
-template <int count>
-bool take_whole(int bits, const Step* const (&steps)[count], std::int64_t (&whole)[count]) noexcept {
-  double difference[count];
+/// Three steps along one axis, times a power of two, as whole numbers below 2^41. Returns false if they are none.
+bool take_whole(const Step& u, const Step& v, const Step& w, std::int64_t (&whole)[3]) noexcept {
+  const int bits = 41;
+  const TwoTerms difference[3] = {two_sum(u.end, -u.start), two_sum(v.end, -v.start), two_sum(w.end, -w.start)};
   double largest = 0;
-  bool are_exact = true;
-  for (int i = 0; i < count; ++i) {
-    const TwoTerms d = two_sum(steps[i]->end, -steps[i]->start);
-    difference[i] = d.sum;
-    largest = std::max(largest, std::fabs(d.sum));
-    are_exact = are_exact && d.error == 0;
-  }
+  for (const TwoTerms& d : difference) largest = std::max(largest, std::fabs(d.sum));
   // Differences of floats are no denormal doubles, and neither is the power of two. That of 0 is 2^0.
   constexpr int bias = 1023;
   const int exponent = largest == 0 ? bits - 1 : static_cast<int>(std::bit_cast<std::uint64_t>(largest) >> 52U) - bias;
   const double power = std::bit_cast<double>(static_cast<std::uint64_t>(bias + bits - 1 - exponent) << 52U);
-  for (int i = 0; i < count; ++i) {
-    const double scaled = difference[i] * power;
+  bool are_exact = true;
+  for (unsigned i = 0; i < 3; ++i) {
+    const double scaled = difference[i].sum * power;
     whole[i] = static_cast<std::int64_t>(scaled);
-    are_exact = are_exact && static_cast<double>(whole[i]) == scaled;
+    are_exact = are_exact && difference[i].error == 0 && static_cast<double>(whole[i]) == scaled;
   }
   return are_exact;
 }
@@ -47,7 +42,7 @@ bool take_whole(int bits, const Step* const (&steps)[count], std::int64_t (&whol
 std::optional<int> whole_sign(const Step (&u)[3], const Step (&v)[3], const Step (&w)[3]) noexcept {
   std::int64_t of[3][3];
   for (unsigned k = 0; k < 3; ++k) {
-    if (!take_whole(41, {&u[k], &v[k], &w[k]}, of[k])) return {};
+    if (!take_whole(u[k], v[k], w[k], of[k])) return {};
   }
   Int128 sum = 0;
   for (unsigned k = 0; k < 3; ++k) {

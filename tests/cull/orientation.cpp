@@ -97,5 +97,20 @@ TEST(Orientation, IsThatOfRationalNumbers) {
   for (const std::size_t count : {behind, in_plane, in_front}) EXPECT_GT(count, random_cases(3000));
 }
 
+// (m + k) (m − k) is less than m m, by less than doubles of that size show.
+TEST(Orientation, OfProductsThatAreRoundedToTheSameIsThatOfRationalNumbers) {
+  Random random(812);
+  for (std::uint64_t i = 0; i != random_cases(3000); ++i) {
+    const double m = std::ldexp(static_cast<double>(random.integer(1 << 22, (1 << 24) - 1)), 15);
+    const auto k = static_cast<double>(random.integer(0, 9));
+    const Step more{m, -k};
+    const Step less{m, k};
+    const Step middle{m, 0};
+    const int right = k == 0 ? 0 : -1;
+    ASSERT_EQ(kernel::determinant_sign(more, middle, middle, less), right) << m << ", " << k;
+    ASSERT_EQ(kernel::determinant_sign(middle, less, more, middle), -right) << m << ", " << k;
+  }
+}
+
 }  // namespace
 }  // namespace shaftcull

@@ -3,5 +3,6 @@
 shaftcull_test(view_factors
   view_factors/closed_forms.cpp
   view_factors/enclosures.cpp
+  view_factors/errors.cpp
   view_factors/matrix.cpp
   view_factors/properties.cpp)
