@@ -8,12 +8,10 @@
 #include <fmt/format.h>
 
 #include "batch/launcher.hpp"
-#include "factors_job.hpp"
+#include "facet_ranks.hpp"
 #include "factors_joiner.hpp"
-#include "factors_ranks.hpp"
 #include "interrupt.hpp"
 #include "number.hpp"
-#include "output_file.hpp"
 #include "part_count.hpp"
 #include "peak_memory.hpp"
 #include "progress.hpp"
@@ -69,7 +67,7 @@ void run(const FactorsOptions& options) {
   options.isa.select();
   FactorsResult result = factors_scene(options);
   const bool is_short = part_count(result.patches.size(), parts_of_factors) == 1;
-  if (!is_short && !options.out.empty() && !is_stream(options.out) && can_find_factors_in_parts()) {
+  if (!is_short && !options.kept_beside().empty() && can_keep_parts()) {
     return run_factors_in_parts(options, std::move(result));
   }
   find(result, options);
@@ -128,8 +126,9 @@ void add_factors(CLI::App& program) {
       "The view factor from one facet to another is the share of the radiation of the first that arrives at the\n"
       "second. Facets radiate diffusely, on the side from which their corners are seen in counterclockwise\n"
       "order. The factors of fully visible pairs are integrated. For other pairs, rays measure the visible part.\n"
-      "Ctrl-C (SIGINT) or SIGTERM ends the run early. With about 1,000 patches or more, --out FILE stores\n"
-      "finished parts in FILE.parts/, and the same command resumes the run. With mpirun, processes share the work.");
+      "Ctrl-C (SIGINT) or SIGTERM ends the run early. With about 1,000 patches or more, finished parts are\n"
+      "stored in FILE.parts/, where FILE is the file of --out, --svg or --ply, and the same command resumes the run.\n"
+      "With mpirun, processes share the work.");
   factors.callback([options] {
     options->scene.require_scene("factors");
     run(*options);

@@ -4,18 +4,15 @@
 #include <cstdio>
 #include <vector>
 
-#include "output_file.hpp"
-
 namespace shaftcull::cli {
 
 void require_factor_files(const FactorsOptions& options) {
   if (!options.out.empty()) require_factors_name(options.out);
-  require_different_files({{"--out", options.out}, {"--svg", options.svg}, {"--ply", options.ply}},
-                          options.scene.paths);
+  options.require_files(options.scene.paths);
 }
 
 FactorsResult factors_scene(const FactorsOptions& options) {
-  FactorsResult result{make_facet_scene(options.scene, options.objects)};
+  FactorsResult result{{make_facet_scene(options.scene, options.objects)}};
   result.most_rays = options.ask.rays;
   result.shows_objects = options.objects;
   return result;
@@ -35,12 +32,8 @@ void write_factors(const FactorsResult& result, const FactorsOptions& options) {
   if (!options.out.empty()) write_factors(result, options.out);
   const std::vector<double> skies = result.skies();
   const FacetMap sky{skies, 1, "sky", "of the radiation meets no patch", "Sky view factors"};
-  if (!options.svg.empty()) write_map_svg(result, sky, options.svg, static_cast<std::size_t>(options.up[0] - 'x'));
-  if (!options.ply.empty()) write_map_ply(result, sky, options.ply);
-  // Where a file is standard output, the report goes elsewhere.
-  const auto is_output = [](const std::string& path) { return !path.empty() && is_standard_output(path); };
-  const bool is_taken = is_output(options.out) || is_output(options.svg) || is_output(options.ply);
-  std::fputs(format_report(result, report_format(options.format)).c_str(), is_taken ? stderr : stdout);
+  write_pictures(result, sky, options);
+  print_report(format_report(result, report_format(options.format)), options);
 }
 
 }  // namespace shaftcull::cli

@@ -3,27 +3,15 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 
 #include "factors_result.hpp"
-#include "instruction_set.hpp"
-#include "scene_options.hpp"
 #include "shaftcull/view_factors.hpp"
 
 namespace shaftcull::cli {
 
-struct FactorsOptions {
-  SceneOptions scene;
+struct FactorsOptions : FacetOptions {
   ViewFactorOptions ask;
   std::size_t megabytes = 256;
-  std::string out;
-  std::string svg;
-  std::string ply;
-  bool objects = false;
-  std::string up = "z";
-  std::string format = "text";
-  int threads = 0;
-  InstructionSet isa;
 };
 
 /// Throws InvalidArgument for files that cannot all be written.

@@ -84,10 +84,7 @@ std::string text_of(const FactorsResult& result) {
     });
     text += '\n' + table.text();
   }
-  return text + fmt::format("\n{:.2f} s, {}{}, at most {} per pair, {} MB of memory\n", result.seconds,
-                            count(static_cast<std::size_t>(result.threads), "thread"),
-                            result.ranks == 1 ? "" : fmt::format(" on {} ranks", result.ranks),
-                            count(result.most_rays, "ray"), grouped((result.memory + 999'999) / 1'000'000));
+  return text + result.spent("pair");
 }
 
 std::string csv_of(const FactorsResult& result) {

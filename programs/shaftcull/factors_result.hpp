@@ -8,20 +8,13 @@
 #include <string_view>
 #include <vector>
 
-#include "facet_scene.hpp"
-#include "report_format.hpp"
+#include "facet_job.hpp"
 #include "shaftcull/view_factors.hpp"
 
 namespace shaftcull::cli {
 
-struct FactorsResult : FacetScene {
+struct FactorsResult : FacetResult {
   ViewFactors factors{};
-  std::uint32_t most_rays = 0;
-  double seconds = 0;
-  int threads = 0;  ///< of all ranks
-  int ranks = 1;
-  std::uint64_t memory = 0;  ///< the most bytes that the program had
-  bool shows_objects = false;
 
   /// What part of a patch's radiation meets no patch.
   [[nodiscard]] double sky(std::size_t patch) const { return factors.sum[patch] < 1 ? 1 - factors.sum[patch] : 0; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Stands in for sees_ranks.cpp and factors_ranks.cpp where the program is built without HDF5 or xxHash.
-#include "factors_ranks.hpp"
+/// Stands in for sees_ranks.cpp and facet_ranks.cpp where the program is built without HDF5 or xxHash.
+#include "facet_ranks.hpp"
 #include "sees_ranks.hpp"
 #include "shaftcull/error.hpp"
 
@@ -22,6 +22,8 @@ void run_factors_in_parts(const FactorsOptions& /*options*/, std::optional<Facto
   refuse("factors");
 }
 
-bool can_find_factors_in_parts() noexcept { return false; }
+void run_sun_in_parts(const SunOptions& /*options*/, std::optional<SunResult>&& /*scene*/) { refuse("sun"); }
+
+bool can_keep_parts() noexcept { return false; }
 
 }  // namespace shaftcull::cli

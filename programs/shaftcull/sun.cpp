@@ -1,134 +1,69 @@
 // SPDX-License-Identifier: MIT
 /// `shaftcull sun`: how long the sun shines on each facet of a mesh.
-#include <algorithm>
 #include <chrono>
-#include <cstdio>
+#include <cmath>
+#include <cstddef>
 #include <memory>
-#include <string>
-#include <vector>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "instruction_set.hpp"
+#include "batch/launcher.hpp"
+#include "facet_ranks.hpp"
 #include "interrupt.hpp"
 #include "number.hpp"
-#include "output_file.hpp"
 #include "peak_memory.hpp"
-#include "printable.hpp"
 #include "progress.hpp"
-#include "scene_options.hpp"
 #include "shaftcull/shaftcull.hpp"
 #include "subcommand.hpp"
-#include "sun_result.hpp"
+#include "sun_job.hpp"
 #include "workers.hpp"
 
 namespace shaftcull::cli {
 namespace {
 
-struct SunOptions {
-  SceneOptions scene;
-  RayOptions ask;
-  double latitude = 0;
-  std::string day;
-  double minutes = 15;
-  std::string directions;
-  std::string up = "z";
-  std::string out;
-  std::string svg;
-  std::string ply;
-  bool objects = false;
-  std::string format = "text";
-  int threads = 0;
-  InstructionSet isa;
-};
-
-/// All files that are read.
-std::vector<std::string> with_directions(std::vector<std::string> paths, const std::string& directions) {
-  if (!directions.empty()) paths.push_back(directions);
-  return paths;
+/// Whether the hours are found in about a second.
+bool is_short(const SunResult& result) {
+  constexpr double many = 1 << 26;
+  return static_cast<double>(result.patches.size() * result.positions.size()) * result.most_rays < many;
 }
 
-void set_positions(SunResult& result, const SunOptions& options) {
-  if (!options.directions.empty()) {
-    result.positions = read_sun_positions(options.directions);
-    result.where = "from " + printable(options.directions);
-    return;
-  }
-  if (options.day.empty()) {
-    throw InvalidArgument(
-        "sun: no position of the sun is given; add --latitude DEGREES and --day MM-DD, or --directions FILE");
-  }
-  result.positions = sun_path(options.latitude, day_of_year(options.day), options.minutes, options.up[0]);
-  result.where = fmt::format("latitude {}, {}, every {:.4g} min", options.latitude, printable(options.day),
-                             sun_step(options.minutes));
-}
-
-void find(SunResult& result, const SunOptions& options, bool keeps_all) {
+/// Finds all hours in this process, part by part, so that they have the bits that ranks find.
+void find(SunResult& result, const SunOptions& options) {
   const Workers workers(options.threads);
   Progress progress;
   const InterruptWatch interrupt;
   const auto begin = std::chrono::steady_clock::now();
-  const std::size_t patches = result.patches.size();
-  const std::size_t positions = result.positions.size();
-  result.hours.resize(patches);
-  if (keeps_all) result.lit.resize(patches * positions);
-  RayOptions ask = options.ask;
-  ask.tolerance = result.scene.tolerance;
+  const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
   workers.run([&] {
-    const PatchSet set(result.patches.corners, result.patches.first);
-    constexpr std::size_t at_once = 8;
-    std::vector<float> fractions;
-    for (std::size_t first = 0; first < positions; first += at_once) {
-      progress.update(fmt::format("{} of {} positions of the sun", first, positions));
+    const PatchSet patches(result.patches.corners, result.patches.first);
+    const std::size_t parts = sun_parts(result);
+    for (std::size_t part = 0; part != parts; ++part) {
+      const double left = part == 0 ? 0 : seconds() * static_cast<double>(parts - part) / static_cast<double>(part);
+      progress.update(fmt::format("{} of {} parts of the positions of the sun{}", part, parts,
+                                  part == 0 ? "" : fmt::format(", {:.0f} s left", std::ceil(left))));
       if (interrupt.signal() != 0) {
-        throw Interrupted(
-            interrupt.signal(),
-            fmt::format("sun: interrupted after {} of {} positions; no file was written", first, positions));
+        throw Interrupted(interrupt.signal(),
+                          fmt::format("sun: interrupted after {} of {} parts; no file was written", part, parts));
       }
-      std::vector<Vec3> lights;
-      for (std::size_t j = first; j != std::min(first + at_once, positions); ++j) {
-        lights.push_back(result.positions[j].towards);
-      }
-      fractions.resize(patches * lights.size());
-      ask.seed = options.scene.seed + first;
-      lit_fractions(set, result.scene.occluders, lights, fractions, ask);
-      for (std::size_t i = 0; i != patches; ++i) {
-        for (std::size_t j = 0; j != lights.size(); ++j) {
-          const float lit = fractions[i * lights.size() + j];
-          result.hours[i] += double{lit} * result.positions[first + j].hours;
-          if (keeps_all) result.lit[i * positions + first + j] = lit;
-        }
-      }
+      add_lit(result, part, lit_by(result, patches, part, options), options);
     }
     result.threads = concurrency();
   });
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  result.seconds = seconds();
   result.memory = peak_memory();
 }
 
 void run(const SunOptions& options) {
-  if (!options.out.empty()) require_sun_name(options.out);
-  require_different_files({{"--out", options.out}, {"--svg", options.svg}, {"--ply", options.ply}},
-                          with_directions(options.scene.paths, options.directions));
+  if (batch::is_launched()) return run_sun_in_parts(options);
+  require_sun_files(options);
   options.isa.select();
-  SceneOptions scene = options.scene;
-  scene.choice.finds_solids = false;  // rays meet the triangles themselves
-  SunResult result{make_facet_scene(scene, options.objects)};
-  set_positions(result, options);
-  set_normals(result);
-  result.most_rays = (options.ask.rays + 15) / 16 * 16;
-  result.shows_objects = options.objects;
-  find(result, options, !options.out.empty());
-
-  if (!options.out.empty()) write_sun(result, options.out);
-  const std::string words = fmt::format("of {:.2f} h of sun", result.daylight());
-  const FacetMap map{result.hours, result.daylight(), "sun", words.c_str(), "Hours of sun"};
-  if (!options.svg.empty()) write_map_svg(result, map, options.svg, static_cast<std::size_t>(options.up[0] - 'x'));
-  if (!options.ply.empty()) write_map_ply(result, map, options.ply);
-  // Where a file is standard output, the report goes elsewhere.
-  const auto is_output = [](const std::string& path) { return !path.empty() && is_standard_output(path); };
-  const bool is_taken = is_output(options.svg) || is_output(options.ply);
-  std::fputs(format_report(result, report_format(options.format)).c_str(), is_taken ? stderr : stdout);
+  SunResult result = sun_scene(options);
+  if (!is_short(result) && !options.kept_beside().empty() && can_keep_parts()) {
+    return run_sun_in_parts(options, std::move(result));
+  }
+  find(result, options);
+  write_sun(result, options);
 }
 
 }  // namespace
@@ -184,7 +119,9 @@ void add_sun(CLI::App& program) {
       "Hours are in solar time: the sun is highest at noon. Facets are lit on the side from which their\n"
       "corners are seen in counterclockwise order. With --up z, x points east and y points north. With\n"
       "--up y, x points east and -z points north. With --up x, y points east and z points north.\n"
-      "Ctrl-C (SIGINT) or SIGTERM ends the run early, without a file.");
+      "Ctrl-C (SIGINT) or SIGTERM ends the run early. If the run takes more than about a second, a file to write,\n"
+      "FILE, has finished parts stored in FILE.parts/, and the same command resumes the run. With mpirun, processes\n"
+      "share the work.");
   sun.callback([options] {
     options->scene.require_scene("sun");
     run(*options);

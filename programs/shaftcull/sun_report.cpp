@@ -23,6 +23,7 @@ struct SunSummary {
   double mean = 0;           ///< hours, by area
   std::size_t sunniest = 0;  ///< the patch
   std::size_t never = 0;     ///< how many
+  double largest_error = 0;  ///< of the hours of a patch
 };
 
 SunSummary sun_summary(const SunResult& result) {
@@ -32,6 +33,7 @@ SunSummary sun_summary(const SunResult& result) {
     of.mean += result.area[i] * result.hours[i];
     if (result.hours[i] > result.hours[of.sunniest]) of.sunniest = i;
     of.never += result.hours[i] == 0 ? 1 : 0;
+    of.largest_error = std::max(of.largest_error, std::sqrt(result.variance[i]));
   }
   if (of.area > 0) of.mean /= of.area;
   return of;
@@ -63,6 +65,8 @@ std::string sun_text(const SunResult& result) {
     text += fmt::format("most sun: {2:.2f} h, for patch {0} of object {1}\n", of.sunniest,
                         printable(result.scene.mesh.names[result.object_of(of.sunniest)]), result.hours[of.sunniest]);
   }
+  text += fmt::format("the standard error of the hours of a patch, from the number of rays, is at most {:.3f} h\n",
+                      of.largest_error);
   if (result.shows_objects) {
     Table table({"object", "area", "hours"});
     for_each_object(result, [&](const std::string& name, double area, double hours) {
@@ -70,9 +74,7 @@ std::string sun_text(const SunResult& result) {
     });
     text += '\n' + table.text();
   }
-  return text + fmt::format("\n{:.2f} s, {} thread{}, at most {} ray{} per patch and position, {} MB of memory\n",
-                            result.seconds, result.threads, result.threads == 1 ? "" : "s", grouped(result.most_rays),
-                            result.most_rays == 1 ? "" : "s", grouped((result.memory + 999'999) / 1'000'000));
+  return text + result.spent("patch and position");
 }
 
 std::string sun_csv(const SunResult& result) {
@@ -83,10 +85,11 @@ std::string sun_csv(const SunResult& result) {
     });
     return text;
   }
-  std::string text = "patch,object,triangle,area,hours\n";
+  const std::vector<double> errors = result.errors();
+  std::string text = "patch,object,triangle,area,hours,error\n";
   for (std::size_t i = 0; i != result.patches.size(); ++i) {
-    text += fmt::format("{},{},{},{:.9g},{:.9g}\n", i, csv_cell(result.scene.mesh.names[result.object_of(i)]),
-                        result.triangle_of(i), result.area[i], result.hours[i]);
+    text += fmt::format("{},{},{},{:.9g},{:.9g},{:.3g}\n", i, csv_cell(result.scene.mesh.names[result.object_of(i)]),
+                        result.triangle_of(i), result.area[i], result.hours[i], errors[i]);
   }
   return text;
 }
@@ -104,9 +107,11 @@ std::string sun_json(const SunResult& result) {
                {"mean_hours", to_nine_places(of.mean)},
                {"most_hours", result.hours.empty() ? 0 : to_nine_places(result.hours[of.sunniest])},
                {"never_lit", of.never},
+               {"largest_error", to_nine_places(of.largest_error)},
                {"most_rays", result.most_rays},
                {"seconds", std::round(result.seconds * 1e6) / 1e6},
                {"threads", result.threads},
+               {"ranks", result.ranks},
                {"memory", result.memory}};
   if (result.shows_objects) {
     SunJson list = SunJson::array();
@@ -124,6 +129,12 @@ double SunResult::daylight() const {
   double hours_of_all = 0;
   for (const SunPosition& position : positions) hours_of_all += position.hours;
   return hours_of_all;
+}
+
+std::vector<double> SunResult::errors() const {
+  std::vector<double> errors;
+  for (const double v : variance) errors.push_back(std::sqrt(v));
+  return errors;
 }
 
 void set_normals(SunResult& result) {
@@ -171,7 +182,9 @@ void write_sun(const SunResult& result, const std::string& path) {
     directions.push_back(position.towards);
     hours.push_back(position.hours);
   }
+  const std::vector<double> errors = result.errors();
   file.add({"hours", "<f8"}).append(std::span<const double>(result.hours));
+  file.add({"error", "<f8"}).append(std::span<const double>(errors));
   file.add({"lit", "<f4", {result.positions.size()}}).append(std::span<const float>(result.lit));
   file.add({"directions", "<f4", {3}}).append(std::span<const Vec3>(directions));
   file.add({"direction_hours", "<f8"}).append(std::span<const double>(hours));

@@ -3,31 +3,27 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <vector>
 
-#include "facet_scene.hpp"
-#include "report_format.hpp"
+#include "facet_job.hpp"
 #include "sun_path.hpp"
 
 namespace shaftcull::cli {
 
-struct SunResult : FacetScene {
+struct SunResult : FacetResult {
   std::vector<SunPosition> positions{};
-  std::string where{};          ///< the positions come from
-  std::vector<double> area{};   ///< of each patch
-  std::vector<Vec3> normals{};  ///< likewise, of length 1; 0 without an area
-  std::vector<double> hours{};  ///< of sun on each patch, in the mean over it
-  std::vector<float> lit{};     ///< the share of each patch that is lit, row by row for all positions; if it is kept
-  std::uint32_t most_rays = 0;
-  double seconds = 0;
-  int threads = 0;
-  std::uint64_t memory = 0;  ///< the most bytes that the program had
-  bool shows_objects = false;
+  std::string where{};             ///< the positions come from
+  std::vector<double> area{};      ///< of each patch
+  std::vector<Vec3> normals{};     ///< likewise, of length 1; 0 without an area
+  std::vector<double> hours{};     ///< of sun on each patch, in the mean over it
+  std::vector<double> variance{};  ///< of these at most, from the number of rays
+  std::vector<float> lit{};        ///< the share of each patch that is lit, row by row for all positions; if it is kept
 
   /// Hours of all positions.
   [[nodiscard]] double daylight() const;
+  /// The standard error of the hours of each patch, at most.
+  [[nodiscard]] std::vector<double> errors() const;
 };
 
 /// Sets the area and the normal of each patch.

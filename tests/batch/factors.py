@@ -55,8 +55,8 @@ def on_ranks():
 
 def refused():
     refusals = {
-        "several processes need --out FILE": [],
-        "--out -: ranks keep finished results beside this file": ["--out", "-"],
+        "several processes need --out, --svg or --ply with a FILE": [],
+        "factors: several processes need --out, --svg": ["--out", "-"],
         "--out factors.txt: unknown kind of file": ["--out", "factors.txt"],
     }
     for message, more in refusals.items():
@@ -91,6 +91,17 @@ def ended():
     for more, changed in ((["--seed", "2"], "scene"), (["--min", "0.5"], "--min"), (["--no-solids"], "scene")):
         done = factors(0, *npz, *more)
         assert done.returncode == 2 and f"{changed} was" in own_lines(done)[0], done
+
+    # A picture alone is kept in parts too.
+    with subprocess.Popen([program, "factors", *scene, "--svg", "sky.svg", "--threads", "1"], stdout=subprocess.DEVNULL,
+                          stderr=subprocess.DEVNULL) as running:
+        while stored_blocks("sky.svg.parts") < 2 and running.poll() is None:
+            time.sleep(0.001)
+        running.send_signal(signal.SIGINT)
+    assert running.returncode == 128 + signal.SIGINT and stored_blocks("sky.svg.parts") >= 2, running.returncode
+    done = factors(0, "--svg", "sky.svg")
+    assert done.returncode == 0 and "from an earlier run" in done.stderr, done
+    os.remove("sky.svg")
 
     # A folder that no job made stays as it is; and so does what somebody put into one.
     os.makedirs("other.npz.parts/of_mine")

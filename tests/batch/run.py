@@ -29,6 +29,7 @@ except ImportError as missing:
 from factors import factors_cases
 from launched import can_launch, content, kill_one, launch, program, stored_blocks
 from sees import sees_cases
+from sun import sun_cases
 
 script = os.path.abspath(sys.argv[0])
 case = sys.argv[1]
@@ -493,8 +494,8 @@ def model():
 
 
 cases = {"model": model, "numpy": against_numpy, "doubles": of_doubles, "ranks": on_ranks, "killed": killed, "errors": errors,
-         "trees": trees, "memory": memory, **sees_cases, **factors_cases}
-if case in ("ranks", *sees_cases, *factors_cases) and not can_launch():
+         "trees": trees, "memory": memory, **sees_cases, **factors_cases, **sun_cases}
+if case in ("ranks", *sees_cases, *factors_cases, *sun_cases) and not can_launch():
     print("skipped: no mpirun that starts ranks")
     sys.exit(77)
 # In memory, where that is: nothing here depends on a disk, and other tests may keep it busy.

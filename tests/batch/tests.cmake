@@ -20,7 +20,7 @@ if(SHAFTCULL_SYSTEM_PYTHON)
     set(launcher ${MPIEXEC_EXECUTABLE})
   endif()
   foreach(case IN ITEMS model numpy doubles ranks killed trees memory errors sees sees_csv sees_ended sees_refused
-      sees_turned factors factors_ended factors_refused)
+      sees_turned factors factors_ended factors_refused sun sun_ended)
     if(case STREQUAL memory AND CMAKE_CXX_FLAGS MATCHES "-fsanitize")
       continue()  # they write to memory of their own
     endif()

@@ -94,14 +94,36 @@ TEST_F(CliSun, IsHiddenByAWall) {
   // Pieces next to the wall have less of it than others.
   const std::vector<std::string> rows =
       lines(output_of({"sun", yard(), "--directions", sun, "--patches", "1", "--format", "csv"}));
-  EXPECT_EQ(rows[0], "patch,object,triangle,area,hours");
+  EXPECT_EQ(rows[0], "patch,object,triangle,area,hours,error");
   EXPECT_EQ(rows.size(), 1 + 100U + 2 * 20U);
-  EXPECT_EQ(rows[1], "0,floor,0,1,7");
-  EXPECT_EQ(rows[1 + 4], "4,floor,0,1,6");
-  EXPECT_EQ(rows[1 + 5], "5,floor,0,1,5");
+  EXPECT_EQ(rows[1], "0,floor,0,1,7,0");
+  EXPECT_EQ(rows[1 + 4], "4,floor,0,1,6,0");
+  EXPECT_EQ(rows[1 + 5], "5,floor,0,1,5,0");
   // Turned round, only what shines from below is left to the floor.
   const nlohmann::json turned = report({yard(), "--directions", sun, "--flip", "--objects"});
   EXPECT_EQ(turned["object_hours"][0]["hours"], 8);
+}
+
+TEST_F(CliSun, TellsAnErrorThatIsHonest) {
+  // A fifth of the floor lies in the shadow of each of 40 suns; rays find the fifth with an error.
+  std::string suns;
+  for (int i = 0; i != 40; ++i) suns += i % 2 == 0 ? "-1,0,1,2\n" : "1,0,1,2\n";
+  const std::string sun = folder_.write("suns.csv", suns);
+  for (const char* rays : {"16", "64", "1024"}) {
+    const std::vector<std::string> rows =
+        lines(output_of({"sun", yard(), "--directions", sun, "--rays", rays, "--format", "csv"}));
+    const auto cell = [&](std::size_t i) { return std::stod(rows[1].substr(rows[1].find_last_of(',', i) + 1)); };
+    const double error = cell(std::string::npos);
+    const double hours = cell(rows[1].find_last_of(',') - 1);
+    // √40 suns × 2 h × √(0.8 × 0.2 / rays), of rays at random
+    EXPECT_NEAR(error, std::sqrt(40.0) * 2 * std::sqrt(0.16 / std::stod(rays)), 0.05 * error) << rays;
+    EXPECT_LE(std::abs(hours - 64), 3 * error) << rays;
+    EXPECT_NE(hours, 64);
+  }
+  // With an error to stop at, fewer rays are cast, and the error is that one at most.
+  const nlohmann::json whole = report({yard(), "--directions", sun, "--rays", "4096", "--error", "0.05"});
+  EXPECT_NEAR(whole["largest_error"], std::sqrt(40.0) * 2 * 0.05, 1e-6);
+  EXPECT_LT(report({yard(), "--directions", sun, "--rays", "4096"})["largest_error"], 0.1);
 }
 
 TEST_F(CliSun, IsTheSameForAnyNumberOfThreads) {
