@@ -46,23 +46,29 @@ command_format() {
 
 # tidy [--changed | file…]
 command_tidy() {
-  local how=() sources changed base word
+  local how=() arguments=() joined=OFF sources changed base word
   for_library
   for_program
   for_tests
   for_bench
   packages+=("${clang_packages[@]}" clang-tidy-14:clang-tidy-14)
   install_missing
-  # For the commands that sources are compiled with, one by one.
-  (cd "$root" && cmake --preset clang -B build/tidy -D SHAFTCULL_JOIN_SOURCES=OFF >/dev/null)
+  # For the commands that sources are compiled with: one by one, or for all files in groups, since headers take most of the time.
+  if [[ $# -eq 0 ]]; then joined=ON; fi
+  (cd "$root" && cmake --preset clang -B build/tidy -D SHAFTCULL_JOIN_SOURCES=$joined -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null)
   sources=("$@")
   if [[ $# -eq 0 || $1 == --changed ]]; then
     mapfile -t sources < <(grep -o '"file": "[^"]*"' "$root/build/tidy/compile_commands.json" | cut -d '"' -f 4 |
-      grep -v "^$root/build/" | sort -u)
+      grep -v "^$root/build/.*/headers/" | sort -u)
     # Following all paths through a source takes three times as long as everything else that is looked for, so that is done
     # only for sources that are named.
-    for word in -Xclang -analyzer-config -Xclang mode=shallow; do how+=("--extra-arg=$word"); done
+    arguments+=(-analyzer-config mode=shallow)
   fi
+  if [[ $# -eq 0 ]]; then
+    arguments+=(-analyzer-opt-analyze-headers)  # else no function of a source that is included by its group is followed
+    how+=(--checks=-bugprone-suspicious-include)
+  fi
+  for word in "${arguments[@]}"; do how+=(--extra-arg=-Xclang "--extra-arg=$word"); done
   if [[ ${1:-} == --changed ]]; then
     base=$(git -C "$root" merge-base HEAD origin/HEAD 2>/dev/null || true)
     if [[ -z $base || $base == $(git -C "$root" rev-parse HEAD) ]]; then base=HEAD~1; fi

@@ -66,6 +66,7 @@ Measure measure(const HullData& hull, unsigned number, const float (&point)[4]) 
   for (unsigned i = 0; i < axes.count; ++i) {
     const double p = hull.vertex[plane.vertices[0]][axes.axis[i]];
     const double x = point[axes.axis[i]];
+    // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): there are as many as axes.count
     result.value += plane.sign * normal[i] * (x - p);
     magnitude += std::fabs(normal[i]) * (std::fabs(x) + std::fabs(p));
     square += normal[i] * normal[i];
