@@ -226,8 +226,8 @@ void close_rows(ViewFactors& factors) {
     for (std::size_t i = 0; i != count; ++i) {
       const double off = sum[i] > 0 ? std::fabs(sum[i] - 1) : 0;
       if (step == 0 && off > far) {
-        fail(InvalidArgument("close_rows: the factors of patch " + std::to_string(i) + " sum to " +
-                             std::to_string(sum[i]) + "; only rows of an enclosure can be closed"));
+        fail(InvalidArgument("rows cannot be closed: the factors of patch " + std::to_string(i) + " sum to " +
+                             std::to_string(sum[i]) + ", and in an enclosure they sum to about 1"));
       }
       worst = std::max(worst, off);
     }

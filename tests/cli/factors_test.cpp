@@ -118,7 +118,7 @@ TEST_F(CliFactors, LeaveOutSmallOnesAndSaySo) {
 
 TEST_F(CliFactors, OfAClosedRoomCanBeClosed) {
   EXPECT_NEAR(report({"--close", "--patches", "0.5"})["largest_row_sum"], 1, 1e-9);
-  EXPECT_THAT(refusal_of({"factors", "--rooms", "1", "--close"}), HasSubstr("only rows of an enclosure"));
+  EXPECT_THAT(refusal_of({"factors", "--rooms", "1", "--close"}), HasSubstr("rows cannot be closed: "));
 }
 
 TEST_F(CliFactors, AreDrawn) {

@@ -340,7 +340,7 @@ TEST(ViewFactors, OfAnEnclosureCanBeClosed) {
   two.add({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0});
   two.add({0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1});
   EXPECT_EQ(message_of([&] { static_cast<void>(view_factors(two.patches(), {}, options)); }),
-            "close_rows: the factors of patch 0 sum to 0.199825; only rows of an enclosure can be closed");
+            "rows cannot be closed: the factors of patch 0 sum to 0.199825, and in an enclosure they sum to about 1");
 }
 
 /// A room with things in it, some of which are nearly closed off.
