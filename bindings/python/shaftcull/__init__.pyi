@@ -1410,7 +1410,7 @@ def view_factors(
     error: float = 1e-05,
     seed: int = 1,
     least: float = 0.0,
-    close: bool = False,
+    close_rows: bool = False,
     tolerance: float = 0.0,
     memory: int = 268435456,
     part: int = 0,
@@ -1428,12 +1428,12 @@ def view_factors(
     rays: the largest number of rays per pair, 1 to 65536. error: a pair gets fewer rays if the standard error of
         its factors is at most this. seed: determines the points of rays.
     least: pairs both of whose factors are below this are left out; left_out has their sums.
-    close: whether rows are scaled to sum to 1, as those of a closed room do; ValueError if the sums are far from
+    close_rows: whether rows are scaled to sum to 1, as those of a closed room do; ValueError if the sums are far from
         1.
     tolerance: as for visibility(). memory: limit in bytes for answers in progress, without the factors, 1 MB or
         more.
     part, parts: as for visibility(). The sum of the matrices of all parts is the matrix of all pairs. row_sum and
-        left_out are summed, too, and `error` is the square root of the sum of squares. `close` needs parts=1.
+        left_out are summed, too, and `error` is the square root of the sum of squares. `close_rows` needs parts=1.
     progress: called as progress(done, total) several times per second, on this thread; if it raises, the call
         ends.
 

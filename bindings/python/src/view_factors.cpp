@@ -85,7 +85,7 @@ void add_view_factors(py::module_& module) {
   module.def(
       "view_factors",
       [](const py::object& patches, const py::object& planes, const py::object& occluders, const py::object& triangles,
-         const py::object& faces, std::uint32_t rays, double error, std::uint64_t seed, double least, bool close,
+         const py::object& faces, std::uint32_t rays, double error, std::uint64_t seed, double least, bool close_rows,
          float tolerance, std::size_t memory, std::uint32_t part, std::uint32_t parts, const py::object& progress) {
         const Rounding exact = rounding_in(py::none());
         const PatchSet set = patches_in(patches, planes, exact, "patches", "planes");
@@ -99,7 +99,7 @@ void add_view_factors(py::module_& module) {
         options.error = error;
         options.seed = seed;
         options.least = least;
-        options.close_rows = close;
+        options.close_rows = close_rows;
         options.tolerance = tolerance;
         options.memory = memory;
         options.part = part;
@@ -109,7 +109,7 @@ void add_view_factors(py::module_& module) {
       },
       arg("patches"), py::kw_only(), arg("planes") = none, arg("occluders") = none, arg("triangles") = none,
       arg("faces") = none, arg("rays") = ViewFactorOptions().rays, arg("error") = ViewFactorOptions().error,
-      arg("seed") = ViewFactorOptions().seed, arg("least") = ViewFactorOptions().least, arg("close") = false,
+      arg("seed") = ViewFactorOptions().seed, arg("least") = ViewFactorOptions().least, arg("close_rows") = false,
       arg("tolerance") = 0.0F, arg("memory") = ViewFactorOptions().memory, arg("part") = 0, arg("parts") = 1,
       arg("progress") = none, R"(
 The view factors of every two patches. Clear pairs have view_factor(), and pairs that are occluded or face
@@ -123,12 +123,12 @@ occluders: boxes, which count as solid; or Occluders. triangles with faces: the 
 rays: the largest number of rays per pair, 1 to 65536. error: a pair gets fewer rays if the standard error of
     its factors is at most this. seed: determines the points of rays.
 least: pairs both of whose factors are below this are left out; left_out has their sums.
-close: whether rows are scaled to sum to 1, as those of a closed room do; ValueError if the sums are far from
+close_rows: whether rows are scaled to sum to 1, as those of a closed room do; ValueError if the sums are far from
     1.
 tolerance: as for visibility(). memory: limit in bytes for answers in progress, without the factors, 1 MB or
     more.
 part, parts: as for visibility(). The sum of the matrices of all parts is the matrix of all pairs. row_sum and
-    left_out are summed, too, and `error` is the square root of the sum of squares. `close` needs parts=1.
+    left_out are summed, too, and `error` is the square root of the sum of squares. `close_rows` needs parts=1.
 progress: called as progress(done, total) several times per second, on this thread; if it raises, the call
     ends.
 

@@ -473,10 +473,10 @@ def test_view_factors_of_all_pairs():
         joined[np.repeat(np.arange(n), np.diff(part.indptr)), part.indices] += part.data
     assert (joined == dense).all()
     assert sum(part.row_sum for part in some) == pytest.approx(factors.row_sum, abs=1e-15)
-    closed = sc.view_factors(room, triangles=triangles_of(room), close=True)
+    closed = sc.view_factors(room, triangles=triangles_of(room), close_rows=True)
     assert closed.row_sum == pytest.approx(np.ones(n), abs=1e-11)
     with pytest.raises(ValueError, match="rows cannot be closed: "):
-        sc.view_factors(room[:6], close=True)
+        sc.view_factors(room[:6], close_rows=True)
     scipy = pytest.importorskip("scipy.sparse")
     matrix = scipy.csr_array((factors.data, factors.indices, factors.indptr), factors.shape)
     assert matrix.has_canonical_format and (matrix.toarray() == dense).all()
