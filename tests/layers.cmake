@@ -18,7 +18,7 @@ set(quick_tests
   symbols[.].* units)
 set(ci_tests
   wide allocation.* calls[.]aarch64 dynamic_threads many_tree[.].* out_of_memory tree_memory visibility_memory
-  "cli([.].*)?" "batch|batch[.](model|numpy|doubles|ranks|trees|sees_turned|factors)" budget[.].* docs "docs[.]links" "c([._].*)?" python[.].* "packages[.](conan|release|vcpkg)" hash.best
+  "cli([.].*)?" "batch|batch[.](model|numpy|doubles|ranks|trees|sees_turned|factors|sun_ended)" budget[.].* docs "docs[.]links" "c([._].*)?" python[.].* "packages[.](conan|release|vcpkg)" hash.best
   "emulated[.][^.]*[.]isa"
   "embedding[.](neon|strict|optimisation|refused|cross|package|recipe)")
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=[a-z,]*address")
