@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-/// Shafts of moving boxes that are formed alone, in registers, against those of a batch: the same to the bit, on every
-/// instruction set.
+/// Shafts of moving boxes that are formed alone or in a batch, in registers or, alone with a plane, by the code for any
+/// box: the same to the bit, on every instruction set.
 #include <gtest/gtest.h>
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "compiled/shaft_data.hpp"
 #include "cull/equal_shafts.hpp"
@@ -21,38 +22,40 @@ namespace {
 
 using Kind = MovingInput::Kind;
 
-CompiledShaft alone(const MovingInput& input) {
+using Planes = std::span<const Plane>;
+
+CompiledShaft alone(const MovingInput& input, Planes planes) {
   switch (input.kind) {
     case Kind::swept:
-      return swept(input.box, input.displacement);
+      return swept(input.box, input.displacement, planes);
     case Kind::swept_infinite:
-      return swept_infinite(input.box, input.displacement);
+      return swept_infinite(input.box, input.displacement, planes);
     case Kind::shadow:
-      return shadow(input.light, input.box, input.reach);
+      return shadow(input.light, input.box, input.reach, planes);
     default:
-      return shadow(input.light, input.box);
+      return shadow(input.light, input.box, planes);
   }
 }
 
-CompiledShaft of_batch(const MovingInput& input) {
-  CompiledShaft shaft;
-  const std::span<CompiledShaft> out(&shaft, 1);
-  const BoxStream body(std::span(&input.box, 1));
-  const std::span<const Vec3> vector(&input.displacement, 1);
+/// The third shaft of a batch of three, all of them written over `used`.
+CompiledShaft of_batch(const MovingInput& input, Planes planes, const CompiledShaft& used) {
+  std::vector<CompiledShaft> out(3, used);
+  const BoxStream body(std::vector<Box>(3, input.box));
+  const std::vector<Vec3> vectors(3, input.displacement);
+  std::vector<Plane> all;
+  for (int i = 0; i != 3; ++i) all.insert(all.end(), planes.begin(), planes.end());
   if (input.is_shadow()) {
-    const BoxStream light(std::span(&input.light, 1));
-    if (input.kind == Kind::shadow) shadow_batch(light.view(), body.view(), input.reach, out);
-    if (input.kind == Kind::shadow_without_end) shadow_batch(light.view(), body.view(), out);
+    const BoxStream light(std::vector<Box>(3, input.light));
+    if (input.kind == Kind::shadow) shadow_batch(light.view(), body.view(), input.reach, out, {.b = all});
+    if (input.kind == Kind::shadow_without_end) shadow_batch(light.view(), body.view(), out, {.b = all});
   } else {
-    if (input.kind == Kind::swept) swept_batch(body.view(), vector, out);
-    if (input.kind == Kind::swept_infinite) swept_infinite_batch(body.view(), vector, out);
+    if (input.kind == Kind::swept) swept_batch(body.view(), vectors, out, all);
+    if (input.kind == Kind::swept_infinite) swept_infinite_batch(body.view(), vectors, out, all);
   }
-  return shaft;
+  return out.back();
 }
 
-void expect_same(const MovingInput& input) {
-  CompiledShaft one = alone(input);
-  CompiledShaft other = of_batch(input);
+void expect_same(CompiledShaft one, CompiledShaft other) {
   const kernel::ShaftData& shaft = kernel::data_of(one);
   const kernel::ShaftData& expected = kernel::data_of(other);
   EXPECT_EQ(shaft.kind, expected.kind);
@@ -63,7 +66,11 @@ void expect_same(const MovingInput& input) {
   expect_equal(one, other);
 }
 
-TEST(FormedAlone, HasTheBitsOfABatch) {
+TEST(FormedAlone, HasTheBitsOfABatchAndOfAnyBox) {
+  const Plane plane{{0.6F, 0, 0.8F}, -1.5F};
+  CompiledShaft used = compile(Box{{0, 0, 0}, {1, 1, 1}}, Box{{5, 6, 7}, {8, 9, 9}}, std::span(&plane, 1));
+  complete(used);
+  set_contact(std::span(&used, 1), Contact::open);
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
     Random random(1);
@@ -71,7 +78,9 @@ TEST(FormedAlone, HasTheBitsOfABatch) {
       for (std::uint64_t i = 0; i != random_cases(200); ++i) {
         for (const Kind kind : {Kind::swept, Kind::swept_infinite, Kind::shadow, Kind::shadow_without_end}) {
           const MovingInput input = family.input(random, kind);
-          expect_same(input);
+          for (const Planes planes : {Planes{}, Planes(&plane, 1)}) {
+            expect_same(alone(input, planes), of_batch(input, planes, used));
+          }
           if (testing::Test::HasFailure()) {
             FAIL() << "on " << name(isa) << ": " << family.name << "\n  " << source_text(input);
           }
