@@ -19,7 +19,8 @@ struct Scene {
   explicit Scene(std::size_t count) {
     by_hand::Random random;
     for (int i = 0; i != 16 * 16; ++i) {
-      const auto x = static_cast<float>(i / 16);
+      const int row = i / 16;
+      const auto x = static_cast<float>(row);
       const auto y = static_cast<float>(i % 16);
       patches.push_back({{x, y, 0}, {x + 1, y + 1, 0}});
       patches.push_back({{x, y, 4}, {x + 1, y + 1, 4}});

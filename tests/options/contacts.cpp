@@ -152,7 +152,7 @@ class ContactOptions : public testing::Test {
     Indices indices(size == 0 ? 0 : random.below(std::min(2 * size, 300U)));
     std::vector<float> right;
     for (std::uint32_t& index : indices) {
-      index = random.below(size);
+      index = random.below(std::max(size, 1U));
       right.push_back(times(s, index));
     }
     std::vector<float> written(indices.size(), -7);

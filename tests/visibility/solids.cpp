@@ -138,9 +138,11 @@ TEST(MergedBoxes, AreNotMadeOfBoxesAnUlpApart) {
 TEST(MergedBoxes, MakeThousandsOfPiecesOne) {
   std::vector<Box> pieces;
   for (int i = 0; i != 4096; ++i) {
+    const int row = i / 16;
+    const int layer = row / 16;
     const auto x = static_cast<float>(i % 16);
-    const auto y = static_cast<float>(i / 16 % 16);
-    const auto z = static_cast<float>(i / 256);
+    const auto y = static_cast<float>(row % 16);
+    const auto z = static_cast<float>(layer);
     pieces.push_back({{x, y, z}, {x + 1, y + 1, z + 1}});
   }
   EXPECT_EQ(merged_boxes(pieces), (std::vector<Box>{{{0, 0, 0}, {16, 16, 16}}}));
@@ -205,13 +207,13 @@ TEST(Solids, AndPatchesThatWereMovedFromAreNone) {
   from.add_solids(boxes);
   const Occluders to = std::move(from);
   EXPECT_EQ(to.size(), 2U);
-  EXPECT_EQ(from.size(), 0U);  // NOLINT(bugprone-use-after-move): that is what is tested
+  EXPECT_EQ(from.size(), 0U);  // NOLINT(bugprone-use-after-move,clang-analyzer-cplusplus.Move): as tested
   const Occluders copy = from;
   EXPECT_EQ(copy.size(), 0U);
   PatchSet patches(boxes);
   const PatchSet taken = std::move(patches);
   EXPECT_EQ(taken.size(), 2U);
-  EXPECT_EQ(patches.size(), 0U);  // NOLINT(bugprone-use-after-move)
+  EXPECT_EQ(patches.size(), 0U);  // NOLINT(bugprone-use-after-move,clang-analyzer-cplusplus.Move)
   EXPECT_FALSE(patches.has_planes());
   EXPECT_EQ(count_visibility(patches, from), SightCounts{});
   EXPECT_EQ(count_visibility(taken, from), (SightCounts{.clear = 1}));
