@@ -212,7 +212,7 @@ std::vector<DrawnTriangle> triangles_of(const DrawOptions& options, const Compil
     throw InvalidArgument(fmt::format("--triangle {}: {} corners; a triangle takes three: X,Y,Z X,Y,Z X,Y,Z",
                                       fmt::join(corners, " "), corners.size()));
   }
-  if (corners.empty()) return {};  // hulls, which have no exact test, are drawn without triangles
+  if (corners.empty()) return {};
   std::vector<Triangle> triangles(corners.size() / 3);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     triangles[i / 3].vertex[i % 3] = vector_option("--triangle", corners[i], "a corner");
@@ -326,10 +326,9 @@ void add_draw(CLI::App& program) {
                            ->excludes("--shadow");
   CLI::Option* times =
       draw.add_flag("--times", options->times, "Show when the moving box reaches each bound: 0 at A, 1 at B");
-  CLI::Option* triangle =
-      draw.add_option("--triangle", options->corners, "Triangles to show, three corners each, with their answers")
-          ->type_name("X,Y,Z X,Y,Z X,Y,Z");
-  options->choice.add_hull_options(draw, std::array{from, to, solid, times, triangle});
+  draw.add_option("--triangle", options->corners, "Triangles to show, three corners each, with their answers")
+      ->type_name("X,Y,Z X,Y,Z X,Y,Z");
+  options->choice.add_hull_options(draw, std::array{from, to, solid, times});
   draw.add_option("--bound", options->bounds, "Boxes to show, with their answers")->type_name("BOX");
   CLI::Option* size =
       add_number(draw, "--size", options->columns, 12, 400, "Columns for the longest side of the picture (default: 48)")
@@ -347,8 +346,7 @@ void add_draw(CLI::App& program) {
       "--hull, a convex hull. Shafts without end are cut off at the edge of the picture.\n"
       "Times are shares of the displacement, or multiples of it with --without-end. For a shadow,\n"
       "the time is 0 at the occluder, and 1 at twice its distance from the light.\n"
-      "Triangles are tested exactly. They have no times, and do not go together with --hull:\n"
-      "convex hulls have exact answers for boxes only.");
+      "Triangles are tested exactly. They have no times.");
   draw.callback([options] { run(*options); });
 }
 

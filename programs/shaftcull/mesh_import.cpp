@@ -87,7 +87,9 @@ std::string refusal_of(const std::string& path, const Assimp::Importer& importer
   std::string formats = known.C_Str();
   std::erase(formats, '*');
   std::replace(formats.begin(), formats.end(), ';', ' ');
-  return fmt::format("{}: files of this kind cannot be read; convert the file to one of {}", path, formats);
+  return fmt::format(
+      "{}: files of this kind cannot be read; convert the file, for example with Blender or MeshLab, to one of {}",
+      path, formats);
 }
 
 /// The file system, in which one file has other contents.

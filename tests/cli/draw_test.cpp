@@ -60,8 +60,10 @@ TEST(CliDrawTriangle, HasAnswersOfEveryKindButHulls) {
         std::vector<std::string>{"--shadow", "--to", "2,0,0,3,1,1"}}) {
     EXPECT_THAT(output_of(with(with({"draw"}, kind), triangle)), HasSubstr("5,0.8,0.5]: inside\n"));
   }
-  EXPECT_THAT(refusal_of(with({"draw", "--hull", "1,0,0"}, triangle)),
-              AllOf(HasSubstr("--triangle"), HasSubstr("--hull")));
+  const std::vector<std::string> wedge{"draw", "--hull", "0,0,0", "9,0,0", "0,9,0", "0,0,2", "9,0,2", "0,9,2"};
+  EXPECT_THAT(output_of(with(wedge, triangle)), HasSubstr("5,0.8,0.5]: inside\n"));
+  EXPECT_THAT(output_of(with(wedge, {"--triangle", "6,6,1", "7,6,1", "6,4,1"})), HasSubstr("6,4,1]: outside\n"))
+      << "its box meets the wedge";
 }
 
 /// The rows of cells of a slice, from above.

@@ -387,7 +387,7 @@ TEST_F(CliSeesMesh, MaterialsCanBeObjects) {
 TEST_F(CliSeesMesh, ForAFileOfAnUnknownKindThoseThatCanBeReadAreNamed) {
   const std::string radiance = folder_.write("x.mgf", "m brick = v\n");
   EXPECT_THAT(refusal_of({"sees", radiance}),
-              AllOf(HasSubstr("x.mgf: files of this kind cannot be read; convert the file to one of"),
+              AllOf(HasSubstr("x.mgf: files of this kind cannot be read; convert the file, for example with Blender"),
                     HasSubstr(" .obj "), HasSubstr(" .stl "), testing::Not(HasSubstr("too small"))));
   EXPECT_THAT(refusal_of({"sees", folder_.write("x.glb", "not that")}), HasSubstr("assimp reports: "));
 }

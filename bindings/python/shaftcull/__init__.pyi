@@ -195,8 +195,8 @@ class Shafts:
         a bool for one shaft.
 
         corners: float32 (k, 3) in order, either way round, k >= 3. ValueError for fewer corners, for corners that
-            are not finite, and for shafts that are not between boxes. Runs on the calling thread. Other threads of
-            Python continue.
+            are not finite, and for shafts that are not between boxes or polygons. Runs on the calling thread. Other
+            threads of Python continue.
         """
 
 class ConvexHull:
@@ -538,7 +538,7 @@ class Boxes(Bounds):
     ) -> _Bools:
         """Whether one of the boxes, which are solid, hides one end of a shaft from the other: every segment between the
         relative interiors of a and b passes through the box, and does not only touch it. bool (n,), or a bool for
-        one shaft. ValueError for shafts that are not between boxes.
+        one shaft. ValueError for shafts that are not between boxes or polygons.
 
         shafts, b: Shafts of shape (n,) or (); a ConvexHull; or boxes a and b, as for Shafts.between().
         exclude: integers (k,), or one integer: bounds to leave out for all shafts, such as the moving body itself.

@@ -141,7 +141,7 @@ void add_occluders(py::class_<HolderOf<Box>, Holder>& to) {
   ask(to, "occluded", &ask_occluded, R"(
 Whether one of the boxes, which are solid, hides one end of a shaft from the other: every segment between the
 relative interiors of a and b passes through the box, and does not only touch it. bool (n,), or a bool for
-one shaft. ValueError for shafts that are not between boxes.)");
+one shaft. ValueError for shafts that are not between boxes or polygons.)");
   ask(to, "find_occluder", &ask_find_occluder, R"(
 The index of a box that hides one end of a shaft from the other, as in occluded(): int64 (n,), or an int for
 one shaft; -1 if no box does.)");

@@ -190,8 +190,8 @@ Whether a convex polygon, such as a wall at any angle, hides one end of a shaft 
 a bool for one shaft.
 
 corners: float32 (k, 3) in order, either way round, k >= 3. ValueError for fewer corners, for corners that
-    are not finite, and for shafts that are not between boxes. Runs on the calling thread. Other threads of
-    Python continue.)");
+    are not finite, and for shafts that are not between boxes or polygons. Runs on the calling thread. Other
+    threads of Python continue.)");
 }
 
 }  // namespace shaftcull::python
