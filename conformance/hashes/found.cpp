@@ -92,6 +92,7 @@ std::uint64_t found_solids(std::uint64_t scenes, Way /*way*/) {
       digest.add(corners->size());
       for (const Vec3& corner : *corners) digest.add_box({corner, corner});
     }
+    for (const Vec3& corner : found.back_corners) digest.add_box({corner, corner});
     for (const auto* const first : {&found.first_hull_corner, &found.first_polygon_corner}) {
       for (const std::size_t corner : *first) digest.add(corner);
     }

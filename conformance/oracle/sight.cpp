@@ -77,6 +77,8 @@ class Answers final : public SightOracle::Questions {
     b_ = patches(question.b, question.b_planes, question.b_corners);
     solids_ = boxes(question.solids);
     for (const std::vector<Vec3>& polygon : question.polygons) polygons_.push_back(points(polygon));
+    for (const std::vector<Vec3>& back : question.backs) backs_.push_back(points(back));
+    backs_.resize(polygons_.size());
     for (const std::vector<Vec3>& hull : question.hulls) hulls_.emplace_back(points(hull));
     for (const SightOccluder& occluder : question.occluders) {
       occluder_boxes_.push_back({point(occluder.box.lo), point(occluder.box.hi)});
@@ -109,7 +111,8 @@ class Answers final : public SightOracle::Questions {
     for (std::size_t k = 0; k != solids_.size() && !truth.is_occluded; ++k) truth.is_occluded = blocks(i, j, k);
     for (std::size_t k = 0; k != polygons_.size() && !truth.is_occluded; ++k) {
       const bool may_block = tolerance_ == 0 || !(lie_in(a.corners, polygons_[k]) || lie_in(b.corners, polygons_[k]));
-      truth.is_occluded = may_block && polygon_blocks(a.corners, b.corners, polygons_[k]);
+      truth.is_occluded = may_block && polygon_blocks(a.corners, b.corners, polygons_[k]) &&
+                          (backs_[k].empty() || polygon_blocks(a.corners, b.corners, backs_[k]));
     }
     for (std::size_t k = 0; k != hulls_.size() && !truth.is_occluded; ++k) {
       truth.is_occluded = hull_blocks(a.corners, b.corners, hulls_[k]);
@@ -368,6 +371,7 @@ class Answers final : public SightOracle::Questions {
   std::vector<Patch> b_;
   std::vector<AnyBox> solids_;
   std::vector<std::vector<Point>> polygons_;
+  std::vector<std::vector<Point>> backs_;  ///< of each polygon, empty unless it is a plate
   std::vector<HullOf<Number>> hulls_;
   std::vector<AnyBox> occluder_boxes_;
   std::vector<std::vector<Point>> occluder_corners_;

@@ -38,6 +38,8 @@ struct SightQuestion {
   std::vector<Box> solids;                  ///< those that make pairs occluded
   std::vector<std::vector<Vec3>> hulls{};   ///< likewise: solid hulls of these points
   std::vector<std::vector<Vec3>> polygons;  ///< likewise: convex, all corners in one plane
+  /// For each polygon the back polygon, if it is a plate, or none: it makes pairs occluded if both do.
+  std::vector<std::vector<Vec3>> backs{};
   Contact contact = Contact::open;
   bool solids_around_ends = true;
   float tolerance = 0;

@@ -74,7 +74,7 @@ inline Digits digits_of(const SightQuestion& question) {
     digits.add(occluder.box);
     for (const Vec3& corner : occluder.corners) digits.add(corner);
   }
-  for (const auto* shapes : {&question.polygons, &question.hulls}) {
+  for (const auto* shapes : {&question.polygons, &question.backs, &question.hulls}) {
     for (const std::vector<Vec3>& corners : *shapes) {
       for (const Vec3& corner : corners) digits.add(corner);
     }

@@ -311,6 +311,18 @@ class SightPainter {
       }
       scene_.found.inner_boxes.push_back(inside);
     }
+    if (random_.one_in(2)) make_plate();
+  }
+
+  /// The found polygon gets a back polygon, beside it or at the same place.
+  void make_plate() {
+    const std::size_t axis = random_.below(3);
+    const float from = point()[axis];
+    const float to = point()[axis];
+    scene_.found.back_corners = scene_.found.polygon_corners;
+    for (Vec3& corner : scene_.found.back_corners) {
+      corner[axis] = std::clamp(corner[axis] + (to - from), -largest_float, largest_float);
+    }
   }
 
   Random random_;

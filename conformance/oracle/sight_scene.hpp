@@ -161,8 +161,14 @@ inline oracle::SightQuestion question_of(const SightScene& scene, const Occluder
     question.occluders.push_back({around(polygon), polygon});
     question.polygons.push_back(polygon);
   });
+  question.backs.resize(question.polygons.size());
   for_each_part(scene.found.polygon_corners, scene.found.first_polygon_corner,
                 [&](const std::vector<Vec3>& polygon) { question.polygons.push_back(polygon); });
+  if (!scene.found.back_corners.empty()) {
+    for_each_part(scene.found.back_corners, scene.found.first_polygon_corner,
+                  [&](const std::vector<Vec3>& back) { question.backs.push_back(back); });
+  }
+  question.backs.resize(question.polygons.size());
   for (std::size_t i = question.occluders.size(); i != occluders.size(); ++i) {
     std::vector<Vec3> vertices;
     std::vector<std::array<Vec3, 3>> looked_at;

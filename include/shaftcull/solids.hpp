@@ -45,7 +45,11 @@ struct FoundSolids {
   /// front.
   std::vector<Vec3> polygon_corners;
   std::vector<std::size_t> first_polygon_corner{0};  ///< where each polygon's corners begin; then the end of the last
-  std::vector<Box> inner_boxes;                      ///< boxes inside bodies that are not convex
+  /// For each polygon corner, the corner of a second polygon. A polygon whose corners differ from these is a *plate*:
+  /// its triangles lie between both polygons, and what passes through both passes through a triangle. Empty if no
+  /// polygon is a plate.
+  std::vector<Vec3> back_corners;
+  std::vector<Box> inner_boxes;  ///< boxes inside bodies that are not convex
 
   /// The number of convex bodies.
   [[nodiscard]] std::size_t hulls() const noexcept { return first_hull_corner.size() - 1; }
@@ -91,14 +95,16 @@ struct SolidSearch {
 /// * A closed part that has another part wholly inside it is a shell, such as that of a building with rooms, and not a
 ///   body. A room, whose faces look inwards, is not a body, and neither is a part that is not closed.
 /// * In parts that are not convex bodies, neighbouring triangles in one plane that form a convex polygon are found as
-///   that polygon. If they form another polygon, it is cut into convex ones. Neighbours that lie in one plane only up
-///   to rounding are joined in pairs. A triangle that is not joined is a polygon as well.
+///   that polygon. If they form another polygon, it is cut into convex ones. Triangles that lie in one plane only up to
+///   rounding, as in a turned wall, are found as a plate if they form a convex polygon up to rounding. Its two polygons
+///   are a few float steps apart, and smaller than the wall by a 250th at most. Other such neighbours are joined in
+///   pairs. A triangle that is not joined is a polygon as well.
 ///
 /// Everything found is proven in exact arithmetic, whatever the triangles are. A segment within the region that passes
-/// through a found polygon from one side to the other passes through a triangle. So does a segment that passes through
-/// the interior of a found hull or box and has an end outside the body. An end in the body, on its surface or on its
-/// open side is not outside. Triangles without area, slivers, duplicates and T-junctions can keep a part from being
-/// closed, and then fewer solids are found.
+/// through a found polygon from one side to the other, or through both polygons of a plate, passes through a triangle.
+/// So does a segment that passes through the interior of a found hull or box and has an end outside the body. An end in
+/// the body, on its surface or on its open side is not outside. Triangles without area, slivers, duplicates and
+/// T-junctions can keep a part from being closed, and then fewer solids are found.
 ///
 /// The result is the same on every machine for the same triangles in the same order. O(n log n): about 0.3 s for
 /// 100,000 triangles. Allocates about 500 bytes per triangle while it runs. Throws BadBound, with the position, for a

@@ -75,6 +75,7 @@ class Search {
       if (may_be_body) add_inner_boxes(parts[i]);
       add_polygons(parts[i]);
     }
+    if (found_.back_corners == found_.polygon_corners) found_.back_corners.clear();
     return std::move(found_);
   }
 
@@ -100,9 +101,11 @@ class Search {
   }
 
   void add_polygons(const kernel::WeldedMesh::Part& part) {
-    for (const std::vector<Vec3>& polygon : flat_runs(mesh_, part)) {
-      if (width(polygon) < search_.least_width) continue;
-      found_.polygon_corners.insert(found_.polygon_corners.end(), polygon.begin(), polygon.end());
+    for (const auto& [front, back] : flat_runs(mesh_, part)) {
+      if (width(front) < search_.least_width) continue;
+      const std::vector<Vec3>& behind = back.empty() ? front : back;
+      found_.polygon_corners.insert(found_.polygon_corners.end(), front.begin(), front.end());
+      found_.back_corners.insert(found_.back_corners.end(), behind.begin(), behind.end());
       found_.first_polygon_corner.push_back(found_.polygon_corners.size());
     }
   }

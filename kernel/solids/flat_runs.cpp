@@ -45,6 +45,7 @@ class Joining {
         next_(3 * std::size_t{count_}),
         previous_(next_.size()),
         planes_(count_),
+        sheets_(count_),
         polygons_(count_),
         is_joined_(next_.size(), false) {
     for (std::uint32_t t = 0; t != count_; ++t) {
@@ -56,8 +57,9 @@ class Joining {
     }
   }
 
-  std::vector<std::vector<Vec3>> run() {
+  std::vector<Plate> run() {
     sort_inner_edges();
+    if (!nearly_flat_.empty()) find_plates();
     join_whole_planes();
     for (const Edge edge : flat_) join_across(edge);
     for (const Edge edge : nearly_flat_) join_two(edge);
@@ -122,6 +124,7 @@ class Joining {
       const bool is_exact = side_of(mesh_.plane(first_ + edge / 3), far(other)) == 0;
       (is_exact ? flat_ : nearly_flat_).push_back(edge);
       if (is_exact) planes_.join(edge / 3, other / 3);
+      sheets_.join(edge / 3, other / 3);
     }
     for (std::vector<Edge>* const list : {&flat_, &nearly_flat_}) {
       std::sort(list->begin(), list->end(),
@@ -155,37 +158,67 @@ class Joining {
     previous_[after] = edge;
   }
 
-  /// Joins all triangles of a plane that form one convex polygon.
-  void join_whole_planes() {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> members;  // of each plane
-    for (std::uint32_t t = 0; t != count_; ++t) members.emplace_back(planes_.of(t), t);
+  /// Calls whole(triangles, boundary) for each set of three triangles or more, with the edges that have none of the set
+  /// across. Two are joined across their edge.
+  template <class Whole>
+  void for_each_set(Sets& sets, const Whole& whole) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> members;  // of each set
+    for (std::uint32_t t = 0; t != count_; ++t) {
+      if (!is_joined_[3 * t]) members.emplace_back(sets.of(t), t);
+    }
     std::sort(members.begin(), members.end());
+    std::vector<std::uint32_t> triangles;
+    std::vector<Edge> boundary;
     for (auto first = members.begin(); first != members.end();) {
+      triangles.clear();
+      boundary.clear();
       auto last = first;
-      std::vector<Edge> boundary;
       for (; last != members.end() && last->first == first->first; ++last) {
+        triangles.push_back(last->second);
         for (Edge edge = 3 * last->second; edge != 3 * last->second + 3; ++edge) {
           const Edge other = across(edge);
-          if (other == WeldedMesh::none || planes_.of(other / 3) != first->first) boundary.push_back(edge);
+          if (other == WeldedMesh::none || sets.of(other / 3) != first->first) boundary.push_back(edge);
         }
       }
-      constexpr std::ptrdiff_t fewest = 3;  // two are joined across their edge
-      if (last - first >= fewest && is_convex_loop(boundary)) {
-        for (auto member = first; member != last; ++member) {
-          polygons_.join(first->second, member->second);
-          set_joined(member->second, true);
-        }
-        for (std::size_t i = 0; i != boundary.size(); ++i) {
-          link(boundary[i], boundary[(i + 1) % boundary.size()]);
-          is_joined_[boundary[i]] = false;
-        }
-      }
+      if (triangles.size() > 2) whole(triangles, boundary);
       first = last;
     }
   }
 
-  /// Whether the edges are the boundary of a convex polygon. Sorts them into its order.
-  [[nodiscard]] bool is_convex_loop(std::vector<Edge>& boundary) const {
+  /// Finds plates in place of triangles that are nearly in one plane.
+  void find_plates() {
+    for_each_set(sheets_, [&](std::span<std::uint32_t> triangles, std::vector<Edge>& boundary) {
+      const std::uint32_t plane = planes_.of(triangles.front());
+      if (std::ranges::all_of(triangles, [&](std::uint32_t t) { return planes_.of(t) == plane; })) return;
+      // From here on with the numbers of the mesh.
+      for (std::uint32_t& t : triangles) t += first_;
+      for (Edge& edge : boundary) edge += 3 * first_;
+      std::vector<bool> is_covered(triangles.size(), false);
+      for (Plate& plate : plates_of(mesh_, triangles, boundary, is_covered)) found_.push_back(std::move(plate));
+      for (std::size_t i = 0; i != triangles.size(); ++i) {
+        if (is_covered[i]) set_joined(triangles[i] - first_, true);
+      }
+    });
+  }
+
+  /// Joins all triangles of a plane that form one convex polygon.
+  void join_whole_planes() {
+    for_each_set(planes_, [&](std::span<std::uint32_t> triangles, std::vector<Edge>& boundary) {
+      if (!is_loop(boundary) || !is_convex(boundary)) return;
+      for (const std::uint32_t t : triangles) {
+        polygons_.join(triangles.front(), t);
+        set_joined(t, true);
+      }
+      for (std::size_t i = 0; i != boundary.size(); ++i) {
+        link(boundary[i], boundary[(i + 1) % boundary.size()]);
+        is_joined_[boundary[i]] = false;
+      }
+    });
+  }
+
+  /// Whether the edges form one line around that comes to no vertex twice. Sorts them into its order.
+  [[nodiscard]] bool is_loop(std::vector<Edge>& boundary) const {
+    if (boundary.empty()) return false;
     const auto by_start = [&](Edge a, Edge b) { return start_vertex(a) < start_vertex(b); };
     std::sort(boundary.begin(), boundary.end(), by_start);
     std::vector<Edge> loop{boundary.front()};
@@ -194,16 +227,22 @@ class Joining {
                                               [&](Edge edge) { return start_vertex(edge) < end_vertex(loop.back()); });
       if (after == boundary.end() || start_vertex(*after) != end_vertex(loop.back())) return false;
       if (after + 1 != boundary.end() && start_vertex(*(after + 1)) == start_vertex(*after)) return false;
-      if (!is_convex(loop.back(), *after)) return false;
       if (*after == loop.front()) break;
       loop.push_back(*after);
     }
     if (loop.size() != boundary.size()) return false;
+    boundary = std::move(loop);
+    return true;
+  }
+
+  /// Whether a loop is a convex polygon.
+  [[nodiscard]] bool is_convex(std::span<const Edge> loop) const {
     std::size_t tops = 0;
     for (std::size_t i = 0; i != loop.size(); ++i) {
-      tops += points_up(loop[i]) && !points_up(loop[(i + 1) % loop.size()]) ? 1U : 0U;
+      const Edge after = loop[(i + 1) % loop.size()];
+      if (!is_convex(loop[i], after)) return false;
+      tops += points_up(loop[i]) && !points_up(after) ? 1U : 0U;
     }
-    boundary = std::move(loop);
     return tops == 1;
   }
 
@@ -211,7 +250,7 @@ class Joining {
   /// and after it may be.
   void join_across(Edge edge) {
     const Edge other = across(edge);
-    if (polygons_.of(edge / 3) == polygons_.of(other / 3)) return;
+    if (is_joined_[edge] || is_joined_[other] || polygons_.of(edge / 3) == polygons_.of(other / 3)) return;
     Edge first = edge;  // of the common edges, in the order of this polygon
     while (across(previous_[first]) == next_[across(first)]) first = previous_[first];
     Edge last = edge;
@@ -240,7 +279,7 @@ class Joining {
     }
     const auto is_corner = [&](Edge from, Edge to) { return turn(from, to) > 0; };
     if (!is_corner(previous_[edge], next_[other]) || !is_corner(previous_[other], next_[edge])) return;
-    found_.push_back({start(edge), far(other), end(edge), far(edge)});
+    found_.push_back({{start(edge), far(other), end(edge), far(edge)}, {}});
     set_joined(edge / 3, true);
     set_joined(other / 3, true);
   }
@@ -260,7 +299,7 @@ class Joining {
         is_joined_[edge] = true;
         edge = next_[edge];
       } while (edge != seed);
-      found_.push_back(std::move(corners));
+      found_.push_back({std::move(corners), {}});
     }
   }
 
@@ -270,18 +309,17 @@ class Joining {
   std::vector<Normal> normal_;
   std::vector<Edge> next_;         ///< around each polygon
   std::vector<Edge> previous_;     ///< likewise
-  Sets planes_;                    ///< of triangles
+  Sets planes_;                    ///< of triangles, exactly
+  Sets sheets_;                    ///< of triangles, nearly in one plane
   Sets polygons_;                  ///< of triangles
   std::vector<bool> is_joined_;    ///< of each edge: it is within a polygon, or its polygon is written
   std::vector<Edge> flat_;         ///< each between two triangles in one plane, longest first
   std::vector<Edge> nearly_flat_;  ///< likewise, nearly in one plane
-  std::vector<std::vector<Vec3>> found_;
+  std::vector<Plate> found_;
 };
 
 }  // namespace
 
-std::vector<std::vector<Vec3>> flat_runs(const WeldedMesh& mesh, const WeldedMesh::Part& part) {
-  return Joining(mesh, part).run();
-}
+std::vector<Plate> flat_runs(const WeldedMesh& mesh, const WeldedMesh::Part& part) { return Joining(mesh, part).run(); }
 
 }  // namespace shaftcull::kernel

@@ -48,6 +48,7 @@ std::uint64_t Ladder::block_corners(const Side& rows, unsigned row, const Side& 
     const std::uint64_t may = polygons.kept[i] & ~occluded;
     if (may == 0) continue;
     const std::span<const Vec3> polygon = job_.occluders.polygon(polygons.list[i]);
+    const std::span<const Vec3> back = job_.occluders.back_polygon(polygons.list[i]);
     const BehindCone behind =
         behind_polygon(polygons.list[i], a.all(), EndPoints::of_relative_interior, may,
                        [&](std::span<const ConePlane> planes, std::uint64_t lanes) {
@@ -56,7 +57,10 @@ std::uint64_t Ladder::block_corners(const Side& rows, unsigned row, const Side& 
                        });
     for_each_lane(behind.possible, [&](unsigned lane) {
       const PatchCorners b = columns.corners(lane);
-      if ((behind.certain & bit(lane)) == 0 && !polygon_blocks(a.all(), b.all(), polygon)) return;
+      if ((behind.certain & bit(lane)) == 0 &&
+          !(polygon_blocks(a.all(), b.all(), polygon) && (back.empty() || polygon_blocks(a.all(), b.all(), back)))) {
+        return;
+      }
       if (tolerance > 0 && (lie_in_plane(a.all(), polygon, tolerance) || lie_in_plane(b.all(), polygon, tolerance))) {
         return;
       }

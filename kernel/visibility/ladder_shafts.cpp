@@ -89,8 +89,12 @@ std::uint64_t Ladder::occluded_by_polygons(const std::uint32_t* polygons, std::s
       for (unsigned f = 0; f != 6; ++f) other[f] = siblings_.other[f][lane];
       const auto& blocks = siblings_.are_groups ? polygon_blocks_closed : static_cast<BetweenHulls&>(polygon_blocks);
       const std::span<const Vec3> polygon = job_.occluders.polygon(polygons[i]);
+      const std::span<const Vec3> back = job_.occluders.back_polygon(polygons[i]);
       const BoxCorners of_other(other);
-      if ((behind.certain & bit(lane)) == 0 && !blocks(fixed.get(), of_other.get(), polygon)) return;
+      if ((behind.certain & bit(lane)) == 0 && !(blocks(fixed.get(), of_other.get(), polygon) &&
+                                                 (back.empty() || blocks(fixed.get(), of_other.get(), back)))) {
+        return;
+      }
       const float tolerance = job_.a.tolerance;
       // A patch of the polygon's own wall may be a little behind it.
       const auto may_lie_in_plane = [&](const BoxCorners& end) {

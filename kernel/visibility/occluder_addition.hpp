@@ -66,6 +66,7 @@ class OccluderAddition {
     shorten(data_.hull_boxes, hulls_);
     shorten(data_.polygons, polygons_);
     shorten(data_.polygon_is_flat, polygons_);
+    shorten(data_.polygon_is_plate, polygons_);
     shorten(data_.polygon_corners, polygon_corners_);
     shorten(data_.first_polygon_corner, polygons_ + 1);
     data_.largest_coordinate = largest_coordinate_;
@@ -94,14 +95,17 @@ class OccluderAddition {
     data_.triangle_boxes.push_back(row_of(around.box));
     data_.triangle_vertices.push_back(triangle.vertex);
   }
-  /// A polygon that makes pairs occluded; it may be an occluder or not.
-  void add_polygon(const Box& box, std::span<const Vec3> corners) {
+  /// A polygon that makes pairs occluded; it may be an occluder or not. With a back polygon, it is a plate.
+  void add_polygon(const Box& box, std::span<const Vec3> corners, std::span<const Vec3> back = {}) {
     if (data_.polygons.size() == std::numeric_limits<std::uint32_t>::max()) {
       fail(InvalidArgument("there are 2^32 - 1 polygons already; no more can be numbered"));
     }
     data_.polygons.push_back(row_of(box));
-    data_.polygon_is_flat.push_back(is_flat(corners) ? 1 : 0);
+    // Lanes decide about flat polygons without the back.
+    data_.polygon_is_flat.push_back(back.empty() && is_flat(corners) ? 1 : 0);
+    data_.polygon_is_plate.push_back(back.empty() ? 0 : 1);
     data_.polygon_corners.insert(data_.polygon_corners.end(), corners.begin(), corners.end());
+    data_.polygon_corners.insert(data_.polygon_corners.end(), back.begin(), back.end());
     data_.first_polygon_corner.push_back(data_.polygon_corners.size());
   }
   /// A solid box that makes pairs occluded; it may be an occluder or not.

@@ -73,8 +73,23 @@ void put_extremes_first(std::vector<Vec3>& vertices) {
 void add_found_solids(kernel::OccluderAddition& addition, const FoundSolids& found) {
   add_parts(found.hull_corners, found.first_hull_corner, "hull", 4, kernel::any_number,
             [&](const Box& box, std::span<const Vec3> hull) { addition.add_solid_hull(box, hull); });
+  const std::vector<Vec3>& backs = found.back_corners;
+  if (!backs.empty() && backs.size() != found.polygon_corners.size()) {
+    kernel::fail(InvalidArgument("there are " + std::to_string(backs.size()) + " back_corners and " +
+                                 std::to_string(found.polygon_corners.size()) +
+                                 " polygon_corners; there must be as many, or none"));
+  }
+  if (!backs.empty()) {
+    kernel::require_corner_lists(backs, found.first_polygon_corner, "back polygon", 3, kernel::any_number);
+  }
+  std::size_t first = 0;
   add_parts(found.polygon_corners, found.first_polygon_corner, "polygon", 3, kernel::any_number,
-            [&](const Box& box, std::span<const Vec3> polygon) { addition.add_polygon(box, polygon); });
+            [&](const Box& box, std::span<const Vec3> polygon) {
+              std::span<const Vec3> back = backs.empty() ? polygon : std::span(backs).subspan(first, polygon.size());
+              first += polygon.size();
+              if (std::ranges::equal(polygon, back)) back = {};
+              addition.add_polygon(box, polygon, back);
+            });
   for (const Box& box : usable_boxes(found.inner_boxes, "box")) addition.add_inner_box(box);
 }
 

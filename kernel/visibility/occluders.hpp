@@ -50,7 +50,8 @@ struct OccluderData {
   std::vector<BoxRow> hull_boxes;
   /// Of each polygon that makes pairs occluded, the box around it.
   std::vector<BoxRow> polygons;
-  std::vector<unsigned char> polygon_is_flat;  ///< of each, exactly
+  std::vector<unsigned char> polygon_is_flat;   ///< of each, exactly
+  std::vector<unsigned char> polygon_is_plate;  ///< of each: the corners of its back polygon follow its own
   std::vector<Vec3> polygon_corners;
   std::vector<std::size_t> first_polygon_corner{0};
   float largest_coordinate = 0;
@@ -73,7 +74,14 @@ struct OccluderData {
     return triangles_of(i) <= most_parts ? triangles_of(i) : 0;
   }
   [[nodiscard]] std::span<const Vec3> polygon(std::size_t i) const noexcept {
-    return {polygon_corners.data() + first_polygon_corner[i], first_polygon_corner[i + 1] - first_polygon_corner[i]};
+    const std::size_t count = first_polygon_corner[i + 1] - first_polygon_corner[i];
+    return {polygon_corners.data() + first_polygon_corner[i], polygon_is_plate[i] != 0 ? count / 2 : count};
+  }
+  /// The back polygon of a plate; empty if it is none.
+  [[nodiscard]] std::span<const Vec3> back_polygon(std::size_t i) const noexcept {
+    if (polygon_is_plate[i] == 0) return {};
+    const std::span<const Vec3> front = polygon(i);
+    return {front.data() + front.size(), front.size()};
   }
 };
 
