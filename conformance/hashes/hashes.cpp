@@ -48,7 +48,7 @@ constexpr Family all[] = {
     {"solids", "boxes that are joined, and boxes inside hulls", one_way, solids, 100, 24391, 0xb60212bc1b5d9965U,
      0x8d8d9514e575687dU},
     {"found solids", "solids found in triangles: bodies, polygons and boxes inside bodies", one_way, found_solids, 200,
-     10000, 0xc566f95d948d0b3bU, 0xefae563d6a7ee84bU},
+     10000, 0xa5eeda74133e859cU, 0x8c1867a973f32975U},
 };
 
 }  // namespace

@@ -45,9 +45,9 @@ struct FoundSolids {
   /// front.
   std::vector<Vec3> polygon_corners;
   std::vector<std::size_t> first_polygon_corner{0};  ///< where each polygon's corners begin; then the end of the last
-  /// For each polygon corner, the corner of a second polygon. A polygon whose corners differ from these is a *plate*:
-  /// its triangles lie between both polygons, and what passes through both passes through a triangle. Empty if no
-  /// polygon is a plate.
+  /// As many as polygon_corners: of each polygon, the corners of a second one, or the same corners again. A polygon
+  /// with a second one is a *plate*: triangles lie between both, and what passes through both passes through a
+  /// triangle. Empty if no polygon is a plate.
   std::vector<Vec3> back_corners;
   std::vector<Box> inner_boxes;  ///< boxes inside bodies that are not convex
 
@@ -95,10 +95,13 @@ struct SolidSearch {
 /// * A closed part that has another part wholly inside it is a shell, such as that of a building with rooms, and not a
 ///   body. A room, whose faces look inwards, is not a body, and neither is a part that is not closed.
 /// * In parts that are not convex bodies, neighbouring triangles in one plane that form a convex polygon are found as
-///   that polygon. If they form another polygon, it is cut into convex ones. Triangles that lie in one plane only up to
-///   rounding, as in a turned wall, are found as a plate if they form a convex polygon up to rounding. Its two polygons
-///   are a few float steps apart, and smaller than the wall by a 250th at most. Other such neighbours are joined in
-///   pairs. A triangle that is not joined is a polygon as well.
+///   that polygon. If they form another polygon, it is cut into convex ones. A triangle that is not joined is a polygon
+///   as well.
+/// * Triangles whose vertices lie in one plane up to rounding, 2⁻²⁰ of their largest coordinate, as in a turned wall,
+/// are
+///   found as plates: one for a convex wall of at most 64 corners, up to 16 for another one. Plates of one wall may
+///   overlap. They are smaller than the convex part of the wall in which they are, by a 256th at most. What no plate
+///   covers is joined in pairs.
 ///
 /// Everything found is proven in exact arithmetic, whatever the triangles are. A segment within the region that passes
 /// through a found polygon from one side to the other, or through both polygons of a plate, passes through a triangle.
@@ -107,9 +110,10 @@ struct SolidSearch {
 /// T-junctions can keep a part from being closed, and then fewer solids are found.
 ///
 /// The result is the same on every machine for the same triangles in the same order. O(n log n): about 0.3 s for
-/// 100,000 triangles. Allocates about 500 bytes per triangle while it runs. Throws BadBound, with the position, for a
-/// triangle that is not finite. Throws InvalidArgument as TriangleStream does, for 2³⁰ triangles or more, and for
-/// options out of range. Throws std::bad_alloc if memory runs out.
+/// 100,000 triangles; two or three times as much for turned walls with many holes. Allocates about 500 bytes per
+/// triangle while it runs. Throws BadBound, with the position, for a triangle that is not finite. Throws
+/// InvalidArgument as TriangleStream does, for 2³⁰ triangles or more, and for options out of range. Throws
+/// std::bad_alloc if memory runs out.
 [[nodiscard]] SHAFTCULL_EXPORT FoundSolids find_solids(const TriangleView& triangles, const SolidSearch& search = {});
 [[nodiscard]] SHAFTCULL_EXPORT FoundSolids find_solids(const MeshView& mesh, const SolidSearch& search = {});
 

@@ -47,7 +47,8 @@ class Joining {
         planes_(count_),
         sheets_(count_),
         polygons_(count_),
-        is_joined_(next_.size(), false) {
+        is_joined_(next_.size(), false),
+        rounding_(steps * largest_coordinate(part.box)) {
     for (std::uint32_t t = 0; t != count_; ++t) {
       normal_[t] = normal_of(t);
       for (Edge i = 0; i != 3; ++i) {
@@ -68,6 +69,16 @@ class Joining {
   }
 
  private:
+  static constexpr double steps = 0x1p-21;  // two to four float steps
+
+  static double largest_coordinate(const Box& box) {
+    double largest = 0;
+    for (std::size_t k = 0; k != 3; ++k) {
+      largest = std::max({largest, std::fabs(double{box.lo[k]}), std::fabs(double{box.hi[k]})});
+    }
+    return largest;
+  }
+
   /// The axis that the normal of a triangle is nearest to, and in which direction it points along this axis. 0: there
   /// is no normal.
   struct Normal {
@@ -104,16 +115,18 @@ class Joining {
     return normal;
   }
 
-  /// Whether the triangles at an edge face the same way, and are in one plane within a thousandth of a right angle.
+  /// Whether the triangles at an edge face the same way, and are in one plane within a thousandth of a right angle; or,
+  /// for triangles of few float steps, within a twentieth and those steps.
   [[nodiscard]] bool are_nearly_flat(Edge edge, Edge other) const {
     const Normal& a = normal_[edge / 3];
     const Normal& b = normal_[other / 3];
     if (a.sign == 0 || b.sign == 0 || b.along[a.axis] * a.sign <= 0) return false;
     constexpr double flat = 1e-3;
-    for (std::size_t k = 0; k != 3; ++k) {
-      if (std::fabs(a.along[k] - b.along[k]) > flat) return false;
-    }
-    return true;
+    constexpr double almost_flat = 0.05;
+    double difference = 0;
+    for (std::size_t k = 0; k != 3; ++k) difference = std::max(difference, std::fabs(a.along[k] - b.along[k]));
+    if (difference <= flat) return true;
+    return difference <= almost_flat && std::fabs(dot(a.along, between(start(edge), far(other)))) <= rounding_;
   }
 
   /// Edges between triangles in one plane, longest first.
@@ -313,6 +326,7 @@ class Joining {
   Sets sheets_;                    ///< of triangles, nearly in one plane
   Sets polygons_;                  ///< of triangles
   std::vector<bool> is_joined_;    ///< of each edge: it is within a polygon, or its polygon is written
+  double rounding_;                ///< what rounding moves vertices by, and some more
   std::vector<Edge> flat_;         ///< each between two triangles in one plane, longest first
   std::vector<Edge> nearly_flat_;  ///< likewise, nearly in one plane
   std::vector<Plate> found_;

@@ -14,9 +14,9 @@
 namespace shaftcull::kernel {
 namespace {
 
-constexpr std::size_t most_plate_corners = 16;
+constexpr std::size_t most_plate_corners = 64;
 constexpr std::size_t most_plates = 16;
-constexpr std::size_t most_looks = std::size_t{1} << 20;  ///< at edges of the boundary, for one set of triangles
+constexpr std::size_t most_looks = std::size_t{1} << 19;  ///< at edges of the boundary, for one set of triangles
 /// Vertices of a wall may be so far out of its plane, and its edges so far from straight, in parts of the largest
 /// coordinate: some float steps.
 constexpr double rounding = 0x1p-20;
@@ -109,6 +109,7 @@ class ConvexPart {
       for (const FlatPoint& point : points) add(point);
       corner_.pop_back();  // which begins the other part
     }
+    find_sides();
   }
 
   [[nodiscard]] std::span<const FlatPoint> corners() const noexcept { return corner_; }
@@ -126,17 +127,17 @@ class ConvexPart {
           least = i;
         }
       }
-      if (sticking > tolerance) return;
+      if (sticking > tolerance) break;
       corner_.erase(corner_.begin() + static_cast<std::ptrdiff_t>(least));
     }
+    find_sides();
   }
 
   /// Whether the way from p to q comes further than the tolerance into the polygon.
   [[nodiscard]] bool is_reached(const FlatPoint& p, const FlatPoint& q, double tolerance) const noexcept {
     double enters = 0;
     double leaves = 1;
-    for (std::size_t i = 0; i != corner_.size(); ++i) {
-      const HalfPlane side = left_of(corner_[i], corner_[i + 1 == corner_.size() ? 0 : i + 1]);
+    for (const HalfPlane& side : side_) {
       const double from = side.depth(p) - tolerance;
       const double to = side.depth(q) - tolerance;
       if (from <= 0 && to <= 0) return false;
@@ -148,10 +149,7 @@ class ConvexPart {
 
   /// Whether a point is no further than the tolerance outside.
   [[nodiscard]] bool holds(const FlatPoint& p, double tolerance) const noexcept {
-    for (std::size_t i = 0; i != corner_.size(); ++i) {
-      if (left_of(corner_[i], corner_[i + 1 == corner_.size() ? 0 : i + 1]).depth(p) < -tolerance) return false;
-    }
-    return true;
+    return std::ranges::all_of(side_, [&](const HalfPlane& side) { return side.depth(p) >= -tolerance; });
   }
 
   void cut(const HalfPlane& kept) {
@@ -168,6 +166,7 @@ class ConvexPart {
       }
     }
     corner_ = std::move(left);
+    find_sides();
   }
 
  private:
@@ -175,7 +174,15 @@ class ConvexPart {
     return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
   }
 
+  void find_sides() {
+    side_.clear();
+    for (std::size_t i = 0; i != corner_.size(); ++i) {
+      side_.push_back(left_of(corner_[i], corner_[i + 1 == corner_.size() ? 0 : i + 1]));
+    }
+  }
+
   std::vector<FlatPoint> corner_;
+  std::vector<HalfPlane> side_;  ///< of the edge from each corner
 };
 
 /// Cuts a polygon until no edge comes into it, and a point stays in it: at the line of an edge, if the point is to the
@@ -299,7 +306,7 @@ class Slab {
 
 /// The plate of a part, made a little smaller until it is proven. Null if it cannot be.
 std::optional<Plate> plate_of(const ConvexPart& part, std::span<const BoundaryEdge> boundary, const View& view,
-                              const Slab& slab) {
+                              const Slab& slab, std::size_t& looks) {
   const std::span<const FlatPoint> corners = part.corners();
   if (corners.size() < 3 || corners.size() > most_plate_corners) return std::nullopt;
   FlatPoint middle{};
@@ -307,7 +314,8 @@ std::optional<Plate> plate_of(const ConvexPart& part, std::span<const BoundaryEd
     middle.x += corner.x / static_cast<double>(corners.size());
     middle.y += corner.y / static_cast<double>(corners.size());
   }
-  for (double shrinking = least_shrinking; shrinking <= most_shrinking; shrinking *= 2) {
+  for (double shrinking = least_shrinking; shrinking <= most_shrinking && looks < most_looks; shrinking *= 2) {
+    looks += boundary.size();
     Plate plate;
     for (const FlatPoint& corner : corners) {
       plate.front.push_back(
@@ -374,7 +382,7 @@ std::vector<Plate> plates_of(const WeldedMesh& mesh, std::span<const std::uint32
     ++next;
     if (!cut_free(part, edges, view, inner, tolerance, looks)) continue;
     part.simplify(tolerance);
-    std::optional<Plate> plate = plate_of(part, edges, view, slab);
+    std::optional<Plate> plate = plate_of(part, edges, view, slab, looks);
     if (!plate) continue;
     plates.push_back(*std::move(plate));
     for (std::size_t i = 0; i != triangles.size(); ++i) {
