@@ -97,11 +97,10 @@ struct SolidSearch {
 /// * In parts that are not convex bodies, neighbouring triangles in one plane that form a convex polygon are found as
 ///   that polygon. If they form another polygon, it is cut into convex ones. A triangle that is not joined is a polygon
 ///   as well.
-/// * Triangles whose vertices lie in one plane up to rounding, 2⁻²⁰ of their largest coordinate, as in a turned wall,
-/// are
-///   found as plates: one for a convex wall of at most 64 corners, up to 16 for another one. Plates of one wall may
-///   overlap. They are smaller than the convex part of the wall in which they are, by a 256th at most. What no plate
-///   covers is joined in pairs.
+/// * Triangles whose vertices lie in one plane up to rounding, 2⁻²⁰ of their largest coordinate, as in a turned
+///   wall, are found as plates: one for a convex wall of at most 64 corners, up to 16 for another one. Plates of one
+///   wall may overlap. They are smaller than the convex part of the wall in which they are, by a 256th at most. What no
+///   plate covers is joined in pairs.
 ///
 /// Everything found is proven in exact arithmetic, whatever the triangles are. A segment within the region that passes
 /// through a found polygon from one side to the other, or through both polygons of a plate, passes through a triangle.
