@@ -30,9 +30,47 @@ bool is_flat(std::span<const Vec3> points) noexcept {
   return std::all_of(points.begin(), points.end(), [&](const Vec3& x) { return plane.side(x) == 0; });
 }
 
-bool PolygonCone::begin(std::span<const Vec3> polygon, bool is_flat, std::span<const Vec3> end, EndPoints counting) {
+bool PolygonCone::begin(std::span<const Vec3> polygon, std::span<const Vec3> back, bool is_flat,
+                        std::span<const Vec3> end, EndPoints counting) {
   planes_.clear();
   face_.clear();
+  if (!is_flat) {
+    is_sufficient_ = true;
+    face_.reserve(polygon.size() + back.size());
+    if (add_bent(polygon, end) && (back.empty() || add_bent(back, end))) return true;
+    planes_.clear();
+    face_.clear();
+  }
+  return begin_flat(polygon, is_flat, end, counting);
+}
+
+/// Adds the planes of a bent polygon, of which each triangle has the end strictly on the same side. Otherwise returns
+/// false.
+bool PolygonCone::add_bent(std::span<const Vec3> polygon, std::span<const Vec3> end) {
+  int side = 0;
+  for (std::size_t i = 2; i != polygon.size(); ++i) {
+    NearPlane face(polygon[0], polygon[i - 1], polygon[i]);
+    if (!has_area(face)) return false;
+    for (const Vec3& x : end) {
+      const int of_x = face.side(x);
+      if (of_x == 0 || of_x == -side) return false;
+      side = of_x;
+    }
+    if (side < 0) face = NearPlane(polygon[0], polygon[i], polygon[i - 1]);
+    face_.push_back(face);
+    const auto& at = face_.back().points();
+    planes_.push_back({at[0], at[1], at[2], &face_.back(), true});
+  }
+  for (std::size_t p = 0; p != polygon.size(); ++p) {
+    const Vec3& from = polygon[p];
+    const Vec3& to = polygon[p + 1 == polygon.size() ? 0 : p + 1];
+    side > 0 ? add_edge(from, to, end) : add_edge(to, from, end);
+  }
+  return true;
+}
+
+bool PolygonCone::begin_flat(std::span<const Vec3> polygon, bool is_flat, std::span<const Vec3> end,
+                             EndPoints counting) {
   const std::size_t i = first_triangle(polygon);
   if (i >= polygon.size()) return false;
   face_.emplace_back(polygon[0], polygon[i - 1], polygon[i]);

@@ -55,16 +55,14 @@ std::uint64_t Ladder::block_corners(const Side& rows, unsigned row, const Side& 
                          return kernels.corners_behind_cone(planes.data(), planes.size(), corners.stream,
                                                             corners.corners, columns.count, lanes);
                        });
+    if (behind.possible == 0 || (tolerance > 0 && lie_in_plane(a.all(), polygon, tolerance))) continue;
     for_each_lane(behind.possible, [&](unsigned lane) {
       const PatchCorners b = columns.corners(lane);
       if ((behind.certain & bit(lane)) == 0 &&
           !(polygon_blocks(a.all(), b.all(), polygon) && (back.empty() || polygon_blocks(a.all(), b.all(), back)))) {
         return;
       }
-      if (tolerance > 0 && (lie_in_plane(a.all(), polygon, tolerance) || lie_in_plane(b.all(), polygon, tolerance))) {
-        return;
-      }
-      occluded |= bit(lane);
+      if (tolerance == 0 || !lie_in_plane(b.all(), polygon, tolerance)) occluded |= bit(lane);
     });
   }
   const std::uint64_t left = asked & ~occluded;

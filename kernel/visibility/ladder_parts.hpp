@@ -182,7 +182,8 @@ template <class Behind>
 BehindCone Ladder::behind_polygon(std::uint32_t polygon, std::span<const Vec3> fixed, EndPoints counting,
                                   std::uint64_t asked, const Behind& behind) {
   const OccluderData& occluders = job_.occluders;
-  if (!polygon_cone_.begin(occluders.polygon(polygon), occluders.polygon_is_flat[polygon] != 0, fixed, counting)) {
+  if (!polygon_cone_.begin(occluders.polygon(polygon), occluders.back_polygon(polygon),
+                           occluders.polygon_is_flat[polygon] != 0, fixed, counting)) {
     return {0, 0};
   }
   polygon_planes_.clear();

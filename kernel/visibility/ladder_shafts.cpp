@@ -84,25 +84,26 @@ std::uint64_t Ladder::occluded_by_polygons(const std::uint32_t* polygons, std::s
         polygons[i], fixed.get(), counting, met, [&](std::span<const ConePlane> planes, std::uint64_t lanes) {
           return job_.kernels.boxes_behind_cone(planes.data(), planes.size(), siblings_.other, siblings_.count, lanes);
         });
+    if (behind.possible == 0) continue;
+    const std::span<const Vec3> polygon = job_.occluders.polygon(polygons[i]);
+    const std::span<const Vec3> back = job_.occluders.back_polygon(polygons[i]);
+    const float tolerance = job_.a.tolerance;
+    // A patch of the polygon's own wall may be a little behind it.
+    const auto may_lie_in_plane = [&](const BoxCorners& end) {
+      if (tolerance == 0) return false;
+      return are_boxes ? lie_in_plane(end.get(), polygon, tolerance) : !keep_off_planes(end.get(), polygon, tolerance);
+    };
+    if (may_lie_in_plane(fixed)) continue;
+    const auto& blocks = siblings_.are_groups ? polygon_blocks_closed : static_cast<BetweenHulls&>(polygon_blocks);
     for_each_lane(behind.possible, [&](unsigned lane) {
       float other[6];
       for (unsigned f = 0; f != 6; ++f) other[f] = siblings_.other[f][lane];
-      const auto& blocks = siblings_.are_groups ? polygon_blocks_closed : static_cast<BetweenHulls&>(polygon_blocks);
-      const std::span<const Vec3> polygon = job_.occluders.polygon(polygons[i]);
-      const std::span<const Vec3> back = job_.occluders.back_polygon(polygons[i]);
       const BoxCorners of_other(other);
       if ((behind.certain & bit(lane)) == 0 && !(blocks(fixed.get(), of_other.get(), polygon) &&
                                                  (back.empty() || blocks(fixed.get(), of_other.get(), back)))) {
         return;
       }
-      const float tolerance = job_.a.tolerance;
-      // A patch of the polygon's own wall may be a little behind it.
-      const auto may_lie_in_plane = [&](const BoxCorners& end) {
-        return are_boxes ? lie_in_plane(end.get(), polygon, tolerance)
-                         : !keep_off_planes(end.get(), polygon, tolerance);
-      };
-      if (tolerance > 0 && (may_lie_in_plane(fixed) || may_lie_in_plane(of_other))) return;
-      occluded |= bit(lane);
+      if (!may_lie_in_plane(of_other)) occluded |= bit(lane);
     });
   }
   return occluded;
