@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/expansion.hpp"
 #include "exact/hull_planes.hpp"
 #include "shaftcull/compiled.hpp"
 

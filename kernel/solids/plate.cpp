@@ -222,6 +222,7 @@ bool cut_free(ConvexPart& part, std::span<const BoundaryEdge> boundary, const Vi
 /// boundary goes around. Exact.
 bool lies_within(std::span<const Vec3> corners, std::span<const BoundaryEdge> boundary, const View& view) {
   const std::size_t count = corners.size();
+  if (count < 3) return false;
   const auto corner = [&](std::size_t i) -> const Vec3& { return corners[i % count]; };
   for (std::size_t i = 0; i != count; ++i) {
     for (std::size_t j = 2; j != count; ++j) {  // all others are to the left of each edge
@@ -308,7 +309,7 @@ class Slab {
 std::optional<Plate> plate_of(const ConvexPart& part, std::span<const BoundaryEdge> boundary, const View& view,
                               const Slab& slab, std::size_t& looks) {
   const std::span<const FlatPoint> corners = part.corners();
-  if (corners.size() < 3 || corners.size() > most_plate_corners) return std::nullopt;
+  if (corners.size() > most_plate_corners) return std::nullopt;
   FlatPoint middle{};
   for (const FlatPoint& corner : corners) {
     middle.x += corner.x / static_cast<double>(corners.size());

@@ -173,16 +173,16 @@ TEST_F(CliMeshImport, NoVertexStaysBehindWhereAssimpDividesTextInOtherWays) {
     return text;
   };
   const std::string obj_on_map = "o t\nv 4512345 0 0\nv 4512347 0 0\nv 4512345 3 0\nf 1 2 3\n";
-  const std::string stl = replaced(replaced(stl_on_map, "4512345.125", "4512345"), "4512346.125", "4512347");
-  const std::string ply = replaced(replaced(ply_on_map, "4512345.125", "4512345"), "4512346.125", "4512347");
+  const std::string stl_near = replaced(replaced(stl_on_map, "4512345.125", "4512345"), "4512346.125", "4512347");
+  const std::string ply_near = replaced(replaced(ply_on_map, "4512345.125", "4512345"), "4512346.125", "4512347");
   const std::vector<std::pair<std::string, const char*>> meshes{
-      {replaced(stl, "outer loop\n", "outer loop "), "first.stl"},
-      {replaced(stl, "\n", " "), "line.stl"},
-      {replaced(stl, "\n", "\r"), "macintosh.stl"},
-      {replaced(stl, "vertex ", "vertex\f"), "feed.stl"},
+      {replaced(stl_near, "outer loop\n", "outer loop "), "first.stl"},
+      {replaced(stl_near, "\n", " "), "line.stl"},
+      {replaced(stl_near, "\n", "\r"), "macintosh.stl"},
+      {replaced(stl_near, "vertex ", "vertex\f"), "feed.stl"},
       {replaced(obj_on_map, "\n", "\r"), "macintosh.obj"},
       {replaced(obj_on_map, "o t\n", "o t\n v 4512345 77 0\n"), "indented.obj"},
-      {replaced(replaced(ply, "double", "uint"), "e6", ""), "whole.ply"}};
+      {replaced(replaced(ply_near, "double", "uint"), "e6", ""), "whole.ply"}};
   for (const auto& [bytes, name] : meshes) {
     const std::string file = folder_.write(name, bytes);
     for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--origin", "4512345.5,0,1"}}) {

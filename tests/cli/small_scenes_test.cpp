@@ -45,7 +45,7 @@ struct SmallScene {
   std::string scene;
   std::vector<std::string> options;
   std::vector<std::string> conditions;
-  friend void PrintTo(const SmallScene& scene, std::ostream* to) { *to << scene.scene; }
+  friend void PrintTo(const SmallScene& of, std::ostream* to) { *to << of.scene; }
 };
 
 std::vector<SmallScene> small_scenes() {

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "caught.hpp"
 #include "oracle/random.hpp"
 #include "sanitizers.hpp"
 #include "shaftcull/compiled.hpp"
