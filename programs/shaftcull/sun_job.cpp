@@ -61,7 +61,6 @@ SunResult sun_scene(const SunOptions& options) {
   result.shows_objects = options.objects;
   result.hours.resize(result.patches.size());
   result.variance.resize(result.patches.size());
-  if (!options.out.empty()) result.lit.resize(result.patches.size() * result.positions.size());
   return result;
 }
 
@@ -83,6 +82,7 @@ std::vector<float> lit_by(const SunResult& result, const PatchSet& patches, std:
 
 void add_lit(SunResult& result, std::size_t part, std::span<const float> lit, const SunOptions& options) {
   const std::span<const SunPosition> positions = positions_in(result, part);
+  if (part == 0 && !options.out.empty()) result.lit.resize(result.patches.size() * result.positions.size());
   for (std::size_t i = 0; i != result.patches.size(); ++i) {
     const std::span<const float> row = lit.subspan(i * positions.size(), positions.size());
     for (std::size_t j = 0; j != positions.size(); ++j) {
