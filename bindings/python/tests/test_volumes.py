@@ -121,6 +121,18 @@ def test_hulls_between_two_ends_are_asked_what_blocks_them():
         sc.ConvexHull.between_polygons(p, np.zeros((0, 3), np.float32))
 
 
+def test_conservative_hulls_keep_boxes_that_no_single_face_leaves_out():
+    corners = np.array([[0, 0, 0], [8, 2, 1], [1, 9, 3], [2, 1, 7]], np.float32)
+    beyond_a_corner, inside, far = [-1, 10, 4, 3, 11, 6], [2, 2, 2, 3, 3, 3], [20, 0, 0, 21, 1, 1]
+    boxes = np.array([beyond_a_corner, inside, far], np.float32)
+    exact, rough = (sc.ConvexHull(corners, test=test) for test in ("exact", "conservative"))
+    assert (exact.test, rough.test) == ("exact", "conservative")
+    for make in (sc.BoxTree, sc.BoxStream):
+        holder = make(boxes)
+        assert holder.cull(exact).tolist() == [False, True, False]
+        assert holder.cull(rough).tolist() == [True, True, False]
+
+
 def test_shafts_keep_the_hulls_that_they_were_made_of():
     tree = sc.BoxTree(some_boxes(15, 200))
     wanted = tree.cull(sc.ConvexHull(CUBE))

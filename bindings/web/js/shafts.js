@@ -310,8 +310,9 @@ export function betweenPolygons(module, p, q, options = {}) {
   const [first, second] = [asFloats(p, 3, 'p'), asFloats(q, 3, 'q')];
   if (first.length === 0) throw new RangeError('p has no corner');
   const both = Float32Array.of(...first, ...second);
+  const none = new Float32Array(0);
   return module.scratch((scratch) => new Hull(module, made(module, 'shaftcull_hull_create', scratch.copy(both),
-      BigInt(both.length / 3), BigInt(first.length / 3), scratch.copy([]), 0n, hullTest(options))));
+      BigInt(both.length / 3), BigInt(first.length / 3), scratch.copy(none), 0n, hullTest(options))));
 }
 
 export function frustum(module, matrix, depth, options = {}) {

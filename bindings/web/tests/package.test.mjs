@@ -982,6 +982,27 @@ describe('hulls', () => {
     }
   });
 
+  test('of two polygons are asked what is between them and what hides one from the other', () => {
+    const p = [0, 0, 0, 0, 2, 0, 0, 2, 2];
+    const between = shaftcull.betweenPolygons(p, [9, 0, 0, 9, 2, 0, 9, 2, 2]);
+    assert.equal(between.points.length, 18);
+    const walls = shaftcull.boxTree([4, -9, -9, 5, 9, 9, 4, 1, 1, 5, 9, 9, 40, -9, -9, 41, 9, 9]);
+    assert.deepEqual(ascending(walls.list(between)), [0, 1]);
+    assert.equal(walls.occluded(between), true);
+    const shaft = shaftcull.concatenate([between]);
+    assert.equal(shaft.occludedByPolygon([4, -9, -9, 5, 9, -9, 5, 9, 9, 4, -9, 9]), true);
+    assert.equal(shaft.occludedByPolygon([4, 1, 1, 5, 9, 1, 5, 9, 9]), false);
+    assert.throws(() => walls.occluded(shaftcull.hull(p)), ShaftcullError);
+    assert.throws(() => shaftcull.betweenPolygons([], p), /p has no corner/);
+  });
+
+  test('that are conservative keep boxes that no single face leaves out', () => {
+    const corners = [0, 0, 0, 8, 2, 1, 1, 9, 3, 2, 1, 7];
+    const tree = shaftcull.boxTree([-1, 10, 4, 3, 11, 6, 2, 2, 2, 3, 3, 3, 20, 0, 0, 21, 1, 1]);
+    assert.deepEqual([...tree.list(shaftcull.hull(corners))], [1]);
+    assert.deepEqual(ascending(tree.list(shaftcull.hull(corners, [], {test: 'conservative'}))), [0, 1]);
+  });
+
   test('are views, and what casts shadows into them', () => {
     const tree = shaftcull.boxTree([0, 0, 0, 1, 1, 1, 0, 30, 0, 1, 31, 1, 0, -30, 0, 1, -29, 1]);
     const view = shaftcull.frustum(new Float32Array(orthographic), 'minus_one_to_one');
