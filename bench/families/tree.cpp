@@ -290,6 +290,47 @@ void declare_threads(Suite& suite, const std::shared_ptr<TreeScene>& scene) {
   if (all_threads() > 1) suite.add_target("tree/threads/2", "tree/threads/1", 1.8);
 }
 
+/// tree/list_many/N, and the same lists one after the other; and large ones of few shafts, on threads.
+void declare_list_many(Suite& suite, const std::shared_ptr<TreeScene>& scene) {
+  constexpr std::size_t several = 4096;
+  constexpr std::size_t few = 16;
+  const auto add = [&](const std::string& row, std::size_t count, const SweptSetting& setting, unsigned threads,
+                       bool is_one_by_one) {
+    const auto swept = std::make_shared<const SweptBoxes>(count, setting);
+    suite.add(row, "",
+              [=](benchmark::State& state) {
+                select_isa(available_isas().back());
+                const BoxTree& tree = scene->tree();
+                std::vector<CompiledShaft> shafts(count);
+                compile_batch(swept->from.view(), swept->to.view(), shafts);
+                IndexLists lists;
+                std::vector<std::uint32_t> hits;
+                for (auto _ : state) {
+                  if (is_one_by_one) {
+                    hits.clear();
+                    for (const CompiledShaft& shaft : shafts) list(shaft, tree, hits);
+                  } else {
+                    list_many(shafts, tree, lists);
+                  }
+                  benchmark::ClobberMemory();
+                }
+                state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(count));
+              },
+              {.threads = threads, .wall_clock = threads > 1 || count == few, .brief = true});
+  };
+  const SweptSetting& tiny_long = swept_settings[1];
+  const SweptSetting& big_long = swept_settings[3];
+  add(fmt::format("tree/list_each/{}", several), several, tiny_long, 1, true);
+  add(fmt::format("tree/list_many/{}", several), several, tiny_long, 1, false);
+  suite.add_time_ratio_target(fmt::format("tree/list_many/{}", several), fmt::format("tree/list_each/{}", several), 1);
+  for (const unsigned threads : thread_counts()) {
+    add(fmt::format("tree/list_many/{}/{}", few, threads), few, big_long, threads, false);
+  }
+  if (all_threads() > 1) {
+    suite.add_target(fmt::format("tree/list_many/{}/2", few), fmt::format("tree/list_many/{}/1", few), 1.4);
+  }
+}
+
 }  // namespace
 
 void declare_tree(Suite& suite, const Workload& /*workload*/) {
@@ -301,6 +342,7 @@ void declare_tree(Suite& suite, const Workload& /*workload*/) {
   declare_large_builds(suite);
   declare_refit(suite, suite.quick() ? quick_bounds : std::size_t{1} << 22);
   declare_threads(suite, scene);
+  declare_list_many(suite, scene);
 #ifdef SHAFTCULL_BENCH_WITH_BULLET
   suite.note(
       "tree/build: its target was set where Bullet takes 12.5 s for a million boxes, and is as hard to reach as Bullet "
