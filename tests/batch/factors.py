@@ -3,11 +3,9 @@
 import json
 import os
 import random
-import signal
 import subprocess
-import time
 
-from launched import kill_one, launch, own_lines, program, stored_blocks, take_files
+from launched import interrupt_after, kill_one, launch, own_lines, program, stored_blocks, take_files
 
 scene = ["--rooms", "4", "--patches", "0.3", "--rays", "16", "--error", "1"]
 npz = ["--out", "factors.npz"]
@@ -77,14 +75,7 @@ def ended():
     whole = take_files()
 
     # Ctrl-C: what is finished stays, and is found again.
-    with subprocess.Popen([program, "factors", *scene, *npz, "--threads", "1"], stdout=subprocess.DEVNULL,
-                          stderr=subprocess.PIPE, text=True) as running:
-        while stored_blocks("factors.npz.parts") < 2 and running.poll() is None:
-            time.sleep(0.001)
-        running.send_signal(signal.SIGINT)
-        _, said = running.communicate(timeout=60)
-    assert running.returncode == 128 + signal.SIGINT, (running.returncode, said)
-    assert "finished results are in factors.npz.parts; run the same command again to resume" in said, said
+    interrupt_after(2, "factors.npz.parts", [program, "factors", *scene, *npz, "--threads", "1"])
     assert os.listdir() == ["factors.npz.parts"] and 2 <= stored_blocks("factors.npz.parts") < parts
 
     # Another question does not go on there.
@@ -93,12 +84,7 @@ def ended():
         assert done.returncode == 2 and f"{changed} was" in own_lines(done)[0], done
 
     # A picture alone is kept in parts too.
-    with subprocess.Popen([program, "factors", *scene, "--svg", "sky.svg", "--threads", "1"], stdout=subprocess.DEVNULL,
-                          stderr=subprocess.DEVNULL) as running:
-        while stored_blocks("sky.svg.parts") < 2 and running.poll() is None:
-            time.sleep(0.001)
-        running.send_signal(signal.SIGINT)
-    assert running.returncode == 128 + signal.SIGINT and stored_blocks("sky.svg.parts") >= 2, running.returncode
+    interrupt_after(2, "sky.svg.parts", [program, "factors", *scene, "--svg", "sky.svg", "--threads", "1"])
     done = factors(0, "--svg", "sky.svg")
     assert done.returncode == 0 and "from an earlier run" in done.stderr, done
     os.remove("sky.svg")

@@ -4,6 +4,7 @@ import os
 import signal
 import subprocess
 import sys
+import time
 
 program, mpirun = sys.argv[2:4]
 # Open MPI starts more ranks than there are cores, and binds none to one, if it is told so; 4 and 5 by other names.
@@ -69,6 +70,18 @@ def is_rank(pid):
 
 def stored_blocks(folder):
     return sum(name.startswith("block-") for _, _, names in os.walk(folder) for name in names)
+
+
+def interrupt_after(blocks, folder, command):
+    """Sends Ctrl-C when so many blocks are stored in the folder. Returns standard error of the program."""
+    with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as running:
+        while stored_blocks(folder) < blocks and running.poll() is None:
+            time.sleep(0.001)
+        running.send_signal(signal.SIGINT)
+        _, said = running.communicate(timeout=60)
+    assert running.returncode == 128 + signal.SIGINT, (running.returncode, said)
+    assert f"finished results are in {folder}; run the same command again to resume" in said, said
+    return said
 
 
 def kill_one(running, chance, is_time, how=signal.SIGKILL):

@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: MIT
 """`shaftcull sun` in parts: files are those of any number of ranks, bit for bit, also after an interruption."""
 import os
-import signal
 import subprocess
-import time
 
-from launched import launch, own_lines, program, stored_blocks, take_files
+from launched import interrupt_after, launch, own_lines, program, stored_blocks, take_files
 
 day = ["--latitude", "48", "--day", "06-21"]
 parts = 8  # of 64 positions
@@ -64,14 +62,8 @@ def ended():
     scene = [*write_yard(), "--svg", "sun.svg"]
     found(0, *scene)
     whole = take_files()
-    with subprocess.Popen([program, "sun", *scene, "--threads", "1"], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
-                          text=True) as running:
-        while stored_blocks("sun.svg.parts") < 2 and running.poll() is None:
-            time.sleep(0.001)
-        running.send_signal(signal.SIGINT)
-        _, said = running.communicate(timeout=60)
-    assert running.returncode == 128 + signal.SIGINT, (running.returncode, said)
-    assert "sun: interrupted; finished results are in sun.svg.parts" in said, said
+    said = interrupt_after(2, "sun.svg.parts", [program, "sun", *scene, "--threads", "1"])
+    assert "sun: interrupted; " in said, said
     stored = stored_blocks("sun.svg.parts")
     assert 2 <= stored < parts
 
