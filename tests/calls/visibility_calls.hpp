@@ -122,9 +122,9 @@ inline void add_visibility_calls(CallTable& table) {
   });
   table.add("inscribed_box", false, [all](AnswerWords& words) { note(words, inscribed_box(all->hull)); });
   table.add("view_factor", false, [all](AnswerWords& words) {
-    const std::span<const Vec3> corners(all->hull);
-    note(words, view_factor(corners.subspan(0, 3), corners.subspan(3, 3)));
-    note(words, view_factor(corners.subspan(3, 3), corners.subspan(0, 3)));
+    const std::span<const Vec3> two_ends(all->hull);
+    note(words, view_factor(two_ends.subspan(0, 3), two_ends.subspan(3, 3)));
+    note(words, view_factor(two_ends.subspan(3, 3), two_ends.subspan(0, 3)));
   });
   table.add("count_visibility", false, [all](AnswerWords& words) {
     const SightCounts counts = count_visibility(all->patches, all->occluders);
