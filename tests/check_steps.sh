@@ -22,6 +22,11 @@ echo "announced by $*" >&3
 case $1 in
   fails) exit 1 ;;
   skipped) exit 77 ;;
+  lasts)
+    sleep 600 &
+    echo $! >"${0%/cmake/run}/build/lasting"
+    wait
+    ;;
   *) [[ $* != *--no-install* || $1 == --no-install ]] ;;
 esac
 TXT
@@ -31,17 +36,21 @@ git -C "$work/project" init -q
 git -C "$work/project" add -A
 git -C "$work/project" commit -qm "Stand-ins"
 
-# check RESULT ci|all STEP…: the steps are to end with RESULT; their output is in the file output.
+# run ci|all STEP…: runs the steps, in a shell of its own; their output is in the file output.
+run() {
+  exec >"$work/output" 2>&1
+  root=$work/project jobs=2 command_line=()
+  source "$root/cmake/commands/install.sh"
+  source "$root/cmake/commands/steps.sh"
+  may_install=${with_install-yes}
+  ci_steps=("${@:2}") all_steps=("${@:2}")
+  "check_$1"
+}
+
+# check RESULT ci|all STEP…: the steps are to end with RESULT.
 check() {
   local expected=$1 result=0
-  (
-    root=$work/project jobs=2 command_line=()
-    source "$root/cmake/commands/install.sh"
-    source "$root/cmake/commands/steps.sh"
-    may_install=${with_install-yes}
-    ci_steps=("${@:3}") all_steps=("${@:3}")
-    "check_$2"
-  ) >"$work/output" 2>&1 || result=$?
+  (run "${@:2}") || result=$?
   [[ $result -eq $expected ]] || fail "$2 of ${*:3} ended with $result instead of $expected"
 }
 failures=0
@@ -80,6 +89,20 @@ says "^skipped +[0-9]+ s, +[0-9]+ s of a processor  ./cmake/run skipped 3$"
 says "^passed +[0-9]+ s, +[0-9]+ s of a processor  ./cmake/run passes 5$"
 check 1 ci "fails 1" "fails 2" "passes 3" "passes 4" "passes 5"
 says_not "^begins: ./cmake/run passes 5$"
+
+for steps in ci all; do  # ended while a step runs
+  rm -f "$work/project/build/lasting"
+  run $steps "passes one" "lasts two" "passes three" &
+  ended=$!
+  for ((i = 0; i < 300; ++i)); do [[ ! -s $work/project/build/lasting ]] || break; sleep 0.1; done
+  sleep 0.5
+  kill "$ended"
+  wait "$ended" 2>/dev/null || true
+  says "^passed +[0-9]+ s, +[0-9]+ s of a processor  ./cmake/run passes one$"
+  says_not "FAILED"
+  for ((i = 0; i < 100; ++i)); do kill -0 "$(cat "$work/project/build/lasting")" 2>/dev/null || break; sleep 0.1; done
+  [[ $i -lt 100 ]] || fail "$steps has ended, and a step still runs"
+done
 
 with_install='' check 0 ci "passes 1"
 says "^output of --no-install passes 1$"

@@ -39,10 +39,12 @@ inline bool is_run_often() {
   return layer != nullptr && (std::string_view(layer) == "quick" || std::string_view(layer) == "ci");
 }
 
-/// As many as asked for; half as many in the layers quick and ci; and under such a sanitizer, an emulator or without
-/// optimisation a sixth, since each takes several times as long there.
+/// As many as asked for; half as many in the layers quick and ci; under such a sanitizer or without optimisation a
+/// sixth, since each takes several times as long there; and in an emulator, where each takes fifty times as long, a
+/// 24th.
 inline std::uint64_t random_cases(std::uint64_t cases) {
-  if (has_shadow_memory || is_emulated || !is_optimised) return (cases + 5) / 6;
+  if (is_emulated) return (cases + 23) / 24;
+  if (has_shadow_memory || !is_optimised) return (cases + 5) / 6;
   return is_run_often() ? (cases + 1) / 2 : cases;
 }
 

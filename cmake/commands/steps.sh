@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 # The steps of ./cmake/run test --ci and --all, each of them a command of ./cmake/run. Sourced by cmake/run.
 
-# Those of --ci are begun in this order, three at a time, since each has parts that keep no processor busy. The first is the longest,
-# and goes before the others where processors are few. The tests of the page ask the program that the first of them builds.
+# They are begun in this order, some at a time, since each has parts that keep few processors busy. The longest of --ci is the first,
+# and goes before the others where processors are few. The tests of the page ask the program that `test --layer` builds.
 ci_steps=(
   "test --layer ci"
   "format --check"
@@ -13,11 +13,10 @@ ci_steps=(
   "page --check"
   "test --preset tsan --layer ci"
 )
-steps_at_once=3
 all_steps=(
+  "test --layer all"
   "format --check"
   "docs"
-  "test --layer all"
   "page --check"
   "package --check"
   "release --check HEAD"
@@ -36,6 +35,36 @@ all_steps=(
   "tidy"
   "bare ./cmake/run demo && ./cmake/run test"
 )
+
+# run_steps NUMBER STEP…: the steps, so many at once. Fails if one has failed. When one of --ci has failed, no other is begun.
+run_steps() {
+  local step failed= first=$2
+  for step in "${@:2}"; do
+    while [[ $(jobs -rp | wc -l) -ge $1 ]]; do wait -n || failed=yes; done
+    if [[ $step == page* ]]; then
+      until [[ -x $root/build/release/bin/shaftcull || $(jobs -rp | wc -l) -eq 0 ]]; do wait -n || failed=yes; done
+    fi
+    if [[ $failed && ! $record_changes ]]; then break; fi
+    run_step "$step" $([[ $record_changes || $step == "$first" ]] || echo nice -n 5) &
+  done
+  while [[ $(jobs -p | wc -l) -gt 0 ]]; do wait -n || failed=yes; done
+  [[ ! $failed ]]
+}
+
+# end_steps prints the table, and ends what is still running: Ctrl-C does not reach commands that run at the same time as others.
+end_steps() {
+  local pid
+  for pid in $(jobs -p); do end_tree "$pid"; done
+  print_steps
+}
+
+# end_tree PID: ends a process, and then those that it has started.
+end_tree() {
+  local child children
+  children=$(cat "/proc/$1/task/"*/children 2>/dev/null || true)
+  kill "$1" 2>/dev/null || true
+  for child in $children; do end_tree "$child"; done
+}
 
 # run_step STEP [COMMAND…]: ./cmake/run with the words of the step, started by the command. Its output goes to a file, and from there
 # to the standard output when the step has ended, so that outputs of two steps do not mix; what it installs is announced at once.
@@ -80,24 +109,14 @@ print_steps() {
     }' now="$SECONDS" "$record"
 }
 
-# check_ci: the steps of .ci/run. When one has failed, no other is begun.
+# check_ci: the steps of .ci/run.
 check_ci() {
-  local step failed=
   record=$(mktemp)
   record_changes=
   sources=here
-  trap 'print_steps; rm -f "$record"' EXIT
-  trap 'exit 130' INT
-  for step in "${ci_steps[@]}"; do
-    while [[ $(jobs -rp | wc -l) -ge $steps_at_once ]]; do wait -n || failed=yes; done
-    if [[ $step == page* ]]; then
-      until [[ $failed || -x $root/build/release/bin/shaftcull || $(jobs -rp | wc -l) -eq 0 ]]; do wait -n || failed=yes; done
-    fi
-    [[ ! $failed ]] || break
-    run_step "$step" $([[ $step == "${ci_steps[0]}" ]] || echo nice -n 5) &
-  done
-  while [[ $(jobs -p | wc -l) -gt 0 ]]; do wait -n || failed=yes; done
-  [[ ! $failed ]]
+  trap 'end_steps; rm -f "$record"' EXIT
+  trap 'exit 130' INT TERM
+  run_steps 3 "${ci_steps[@]}"
 }
 
 # state_of_sources: a word that changes with the sources.
@@ -106,21 +125,20 @@ state_of_sources() {
     sha1sum | cut -c 1-12)
 }
 
-# check_all: all steps, one after the other, for hours. Steps that have passed on the same sources are not run again, so that a run can
-# be stopped and goes on when the same command is given. A step that fails does not stop the others.
+# check_all: all steps, for hours. Steps that have passed on the same sources are not run again, so that a run can be stopped and goes
+# on when the same command is given. A step that fails does not stop the others.
 check_all() {
-  local step failed=0
+  local step left=()
   record=$root/build/all_checks.tsv
   record_changes=yes
   mkdir -p "$root/build"
   touch "$record"
   sources=$(state_of_sources) || stop "cmake/run: test --all asks git which sources it has tested, and git does not answer here."
-  trap print_steps EXIT
-  trap 'exit 130' INT
+  trap end_steps EXIT
+  trap 'exit 130' INT TERM
   for step in "${all_steps[@]}"; do
-    if awk -F '\t' -v sources="$sources" -v step="$step" '
-      $1 == sources && $4 == step { passed = $2 == "passed" } END { exit !passed }' "$record"; then continue; fi
-    run_step "$step" || failed=1
+    awk -F '\t' -v sources="$sources" -v step="$step" '
+      $1 == sources && $4 == step { passed = $2 == "passed" } END { exit !passed }' "$record" || left+=("$step")
   done
-  exit $failed
+  [[ ${#left[@]} -eq 0 ]] || run_steps 2 "${left[@]}"
 }
