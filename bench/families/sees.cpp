@@ -207,6 +207,7 @@ void declare_sees(Suite& suite, const Workload& /*workload*/) {
     declare_undecided(suite, scene, RayTargets::solids, 1.2);
     declare_undecided(suite, scene, RayTargets::triangles, 0.8);
   }
+  declare_groups(suite);
 #else
   suite.note("sees/…/embree is not measured: this build found no Embree 3 (Debian: libembree-dev)");
 #endif

@@ -118,6 +118,9 @@ enum class RayTargets : unsigned char { solids, triangles };
 /// Adds the row of 16 rays for each undecided pair, by visible_fractions() alone, and Embree's.
 void declare_undecided(Suite& suite, const std::shared_ptr<SeesScene>& sees, RayTargets targets, double target);
 
+/// Adds rows of rays through one group of triangles, and Embree's.
+void declare_groups(Suite& suite);
+
 /// Adds the row of pairs that are `near` or anywhere, for so many rays per pair, and Embree's.
 void declare_rays(Suite& suite, const std::shared_ptr<SeesScene>& sees, bool near, unsigned rays, double target);
 #endif

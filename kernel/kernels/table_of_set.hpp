@@ -10,6 +10,7 @@
 #include "kernels/grid/testing.hpp"
 #include "kernels/kernel_table.hpp"
 #include "kernels/rays/rays.hpp"
+#include "kernels/rays/tree_rays.hpp"
 #include "kernels/set_bits.hpp"
 #include "kernels/shared/block_tests.hpp"
 #include "kernels/shared/single_bound.hpp"
@@ -130,7 +131,7 @@ inline constexpr Kernels kernels_for = {
                  .boxes_behind_cone = boxes_behind_cone<L>,
                  .behind_groups = behind_groups<L>,
                  .behind_group = behind_group<L>},
-    .rays = {form_rays<L>, meet_box<L>, meet_body<L>, meet_triangles<L>},
+    .rays = {form_rays<L>, meet_box<L>, meet_body<L>, meet_triangles<L>, meet_tree<L>},
     .triangles_by_vertices = test_triangles_by_vertices<L>,
     .triangles_exactly = test_triangles_exactly<L>,
     .compress_indices = compress_indices<L>,

@@ -18,6 +18,7 @@
 #include "visibility/occluders.hpp"
 #include "visibility/patch_outline.hpp"
 #include "visibility/patch_tree.hpp"
+#include "visibility/ray_trees.hpp"
 
 namespace shaftcull::kernel {
 namespace {
@@ -26,22 +27,6 @@ void set(float (&to)[3], const Double3& from, double divisor = 1) noexcept {
   for (std::size_t k = 0; k != 3; ++k) to[k] = static_cast<float>(from[k] / divisor);
 }
 void set(float (&to)[3], const Vec3& from) noexcept { std::copy(from.begin(), from.end(), to); }
-
-using Vertices = std::array<Vec3, 3>;
-
-/// Writes a triangle as rays test it, and returns whether it has an area.
-bool make(const Vertices& vertices, RayTriangle& triangle) noexcept {
-  const Double3 u = between(vertices[0], vertices[1]);
-  const Double3 v = between(vertices[0], vertices[2]);
-  const Double3 normal = cross(u, v);
-  const double square = dot(normal, normal);
-  if (!(square > 0)) return false;
-  set(triangle.point, vertices[0]);
-  set(triangle.normal, normal, std::sqrt(square));
-  set(triangle.across_u, cross(v, normal), square);
-  set(triangle.across_v, cross(normal, u), square);
-  return true;
-}
 
 }  // namespace
 
@@ -75,6 +60,7 @@ class RayShapes::Growing {
 
  private:
   static constexpr std::size_t most_in_leaf = 8;
+  static constexpr std::size_t most_in_tree = 512;
 
   Shape body(const HullMesh& hull) {
     const auto first = static_cast<std::uint32_t>(shapes_.planes.size());
@@ -98,29 +84,25 @@ class RayShapes::Growing {
   /// Of the triangles at hand.
   Shape tree() {
     RayTriangle unused{};
-    std::erase_if(some_, [&](const Vertices& vertices) { return !make(vertices, unused); });
+    std::erase_if(some_, [&](const TriangleVertices& vertices) { return !make_ray_triangle(vertices, unused); });
     if (some_.empty()) return {Kind::nothing, 0, 0};
+    if (some_.size() > most_in_tree) return {Kind::large_tree, shapes_.large_trees.add(some_), 1};
     const auto root = static_cast<std::uint32_t>(shapes_.nodes.size());
     shapes_.nodes.emplace_back();
     fill(root, some_);
     return {Kind::tree, root, 1};
   }
 
-  void fill(std::uint32_t node, std::span<Vertices> some) {
+  void fill(std::uint32_t node, std::span<TriangleVertices> some) {
     const BoxRow box = box_around(some);
     if (some.size() <= most_in_leaf) {
       const auto first = static_cast<std::uint32_t>(shapes_.triangles.size());
-      for (const Vertices& vertices : some) make(vertices, shapes_.triangles.emplace_back());
+      for (const TriangleVertices& vertices : some) (void)make_ray_triangle(vertices, shapes_.triangles.emplace_back());
       shapes_.nodes[node] = {box, first, static_cast<std::uint32_t>(some.size())};
       return;
     }
-    std::size_t axis = 0;
-    const auto extent = [&](std::size_t k) { return box.face[k + 3] - box.face[k]; };
-    for (std::size_t k = 1; k != 3; ++k) axis = extent(k) > extent(axis) ? k : axis;
-    const auto middle = [axis](const Vertices& of) { return double{of[0][axis]} + of[1][axis] + of[2][axis]; };
     const std::size_t half = some.size() / 2;
-    std::nth_element(some.begin(), some.begin() + static_cast<std::ptrdiff_t>(half), some.end(),
-                     [&](const Vertices& a, const Vertices& b) { return middle(a) < middle(b); });
+    cut_in_two(some, box, half);
     const auto children = static_cast<std::uint32_t>(shapes_.nodes.size());
     shapes_.nodes.resize(children + 2);
     shapes_.nodes[node] = {box, children, 0};
@@ -128,22 +110,9 @@ class RayShapes::Growing {
     fill(children + 1, some.subspan(half));
   }
 
-  static BoxRow box_around(std::span<const Vertices> some) noexcept {
-    BoxRow box{{HUGE_VALF, HUGE_VALF, HUGE_VALF, -HUGE_VALF, -HUGE_VALF, -HUGE_VALF, 0, 0}};
-    for (const Vertices& vertices : some) {
-      for (const Vec3& vertex : vertices) {
-        for (std::size_t k = 0; k != 3; ++k) {
-          box.face[k] = std::min(box.face[k], vertex[k]);
-          box.face[k + 3] = std::max(box.face[k + 3], vertex[k]);
-        }
-      }
-    }
-    return box;
-  }
-
   RayShapes& shapes_;
   const OccluderData& occluders_;
-  std::vector<Vertices> some_;
+  std::vector<TriangleVertices> some_;
 };
 
 RayShapes::RayShapes(const OccluderData& occluders) {

@@ -8,6 +8,7 @@
 
 #include "kernels/rays/ray_packet.hpp"
 #include "kernels/siblings/siblings.hpp"
+#include "visibility/ray_trees.hpp"
 
 namespace shaftcull::kernel {
 
@@ -17,10 +18,11 @@ struct OccluderData;
 /// What rays meet of each occluder.
 struct RayShapes {
   enum class Kind : std::uint8_t {
-    nothing,  ///< of a hull without an interior
-    box,      ///< the occluder's box
-    body,     ///< `count` planes
-    tree,     ///< triangles below a node
+    nothing,     ///< of a hull without an interior
+    box,         ///< the occluder's box
+    body,        ///< `count` planes
+    tree,        ///< some triangles, below a node
+    large_tree,  ///< many triangles, below a node of `large_trees`
   };
   struct Shape {
     Kind kind;
@@ -39,6 +41,7 @@ struct RayShapes {
   std::vector<RayPlane> planes;
   std::vector<RayTriangle> triangles;
   std::vector<Node> nodes;
+  RayTrees large_trees;
   /// What joined() to another box is that box.
   static constexpr Box nothing{{HUGE_VALF, HUGE_VALF, HUGE_VALF}, {-HUGE_VALF, -HUGE_VALF, -HUGE_VALF}};
   Box around = nothing;  ///< all occluders

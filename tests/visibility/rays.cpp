@@ -16,6 +16,7 @@
 #include "message_of.hpp"
 #include "oracle/random.hpp"
 #include "shaftcull/shaftcull.hpp"
+#include "visibility/fractions.hpp"
 
 namespace shaftcull {
 namespace {
@@ -27,20 +28,6 @@ PatchSet opposite(PatchSides sides = PatchSides::front) {
   return PatchSet(
       std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 2}, {0, 1, 2}, {1, 1, 2}, {1, 0, 2}},
       std::vector<std::size_t>{0, 4, 8}, sides);
-}
-
-/// The fractions of pairs with all occluders as candidates.
-std::vector<float> fractions_of(const PatchSet& a, const PatchSet& b, const Occluders& occluders,
-                                const std::vector<PatchPair>& pairs, const RayOptions& options = {}) {
-  std::vector<std::size_t> first{0};
-  std::vector<std::uint32_t> candidates;
-  for (std::size_t i = 0; i != pairs.size(); ++i) {
-    for (std::uint32_t c = 0; c != occluders.size(); ++c) candidates.push_back(c);
-    first.push_back(candidates.size());
-  }
-  std::vector<float> fractions(pairs.size());
-  visible_fractions(a, b, occluders, {pairs, first, candidates}, fractions, options);
-  return fractions;
 }
 
 float fraction_between_opposite(const Occluders& occluders, std::uint32_t rays = 4096) {

@@ -13,6 +13,7 @@ shaftcull_test(visibility PARTS 2
   visibility/meet.cpp
   visibility/parts.cpp
   visibility/patch_tree.cpp
+  visibility/ray_trees.cpp
   visibility/rays.cpp
   visibility/reach.cpp
   visibility/rows.cpp

@@ -53,6 +53,8 @@ struct RayTriangle {
   float across_v[3];
 };
 
+struct RayTree;
+
 /// Rays are tested in lanes. Each function gives a bit for each ray of `asked`; bits of others say nothing. Results are
 /// the same bits on every instruction set.
 struct RayKernels {
@@ -68,6 +70,9 @@ struct RayKernels {
   /// Rays that pass through a triangle, with both ends more than `margin` from its plane.
   std::uint64_t (*meet_triangles)(const RayPacket& packet, const RayTriangle* triangles, std::size_t count,
                                   float margin, std::uint64_t asked) noexcept;
+  /// Likewise through a triangle of a tree.
+  std::uint64_t (*meet_tree)(const RayPacket& packet, const RayTree& tree, std::uint32_t root, float margin,
+                             std::uint64_t asked) noexcept;
 };
 
 }  // namespace shaftcull::kernel

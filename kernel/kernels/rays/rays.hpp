@@ -168,10 +168,9 @@ std::uint64_t meet_body(const RayPacket& packet, const RayPlane* planes, std::si
   return met;
 }
 
-/// As RayKernels has it.
-template <class L>
-std::uint64_t meet_triangles(const RayPacket& packet, const RayTriangle* triangles, std::size_t count, float margin,
-                             std::uint64_t asked) noexcept {
+/// As meet_triangles() of RayKernels, of the triangles at(0) to at(count − 1).
+template <class L, class At>
+std::uint64_t meet_each(const RayPacket& packet, At at, std::size_t count, float margin, std::uint64_t asked) noexcept {
   using Vector = typename L::Vector;
   const Vector none = L::all(0.0F);
   const Vector one = L::all(1.0F);
@@ -185,15 +184,15 @@ std::uint64_t meet_triangles(const RayPacket& packet, const RayTriangle* triangl
     const auto way = RayVectors<L>::load(packet.way, lane);
     std::uint64_t left = lanes;
     for (std::size_t i = 0; i < count && left != 0; ++i) {
-      const RayTriangle& triangle = triangles[i];
-      const RayVectors<L> at = RelativePoint<L>(packet, triangle.point).to(from);
-      const Vector start = dot<L>(at, triangle.normal);
+      const RayTriangle triangle = at(i);
+      const RayVectors<L> above_point = RelativePoint<L>(packet, triangle.point).to(from);
+      const Vector start = dot<L>(above_point, triangle.normal);
       const Vector end = L::add(start, dot<L>(way, triangle.normal));
       const auto passes = L::both(L::less(L::minimum(start, end), below), L::less(above, L::maximum(start, end)));
       if ((L::bits(passes) << lane & left) == 0) continue;
       const Vector t = L::divide(start, L::subtract(start, end));
       RayVectors<L> hit;
-      for (unsigned k = 0; k < 3; ++k) hit.of[k] = L::add(at.of[k], L::multiply(t, way.of[k]));
+      for (unsigned k = 0; k < 3; ++k) hit.of[k] = L::add(above_point.of[k], L::multiply(t, way.of[k]));
       const Vector u = dot<L>(hit, triangle.across_u);
       const Vector v = dot<L>(hit, triangle.across_v);
       const auto is_inside =
@@ -203,6 +202,14 @@ std::uint64_t meet_triangles(const RayPacket& packet, const RayTriangle* triangl
     met |= lanes & ~left;
   }
   return met;
+}
+
+/// As RayKernels has it.
+template <class L>
+std::uint64_t meet_triangles(const RayPacket& packet, const RayTriangle* triangles, std::size_t count, float margin,
+                             std::uint64_t asked) noexcept {
+  return meet_each<L>(
+      packet, [triangles](std::size_t i) { return triangles[i]; }, count, margin, asked);
 }
 
 }  // namespace shaftcull::kernel
