@@ -14,7 +14,7 @@ set(quick_tests
   # Its bindings and what its pages show.
   "c[.](gcc|example|header|symbols|ten_minutes|sights)" "python[.](documents|questions|inputs|visibility|dynamic|examples)" examples[.].* consumer
   # The sources and the build.
-  architecture check_steps compilers dependencies documents "documents[.](figures|links|tuning)" fetches first_command headers "packages[.](licences|spdx)"
+  architecture check_steps compilers dependencies documents "documents[.](figures|links|tuning)" exports fetches first_command headers "packages[.](licences|spdx)"
   symbols[.].* units)
 set(ci_tests
   wide allocation.* calls[.]aarch64 dynamic_threads many_tree[.].* out_of_memory tree_memory visibility_memory
@@ -37,7 +37,7 @@ list(JOIN quick_tests "|" quick_tests)
 list(JOIN ci_tests "|" ci_tests)
 
 # Entries that do not run the library have the label `sources`: planted faults do not concern them (mutation/mutate.py).
-set(sources_tests architecture check_steps compilers dependencies docs "docs[.]links" documents "documents[.](figures|links|tuning)" fetches first_command
+set(sources_tests architecture check_steps compilers dependencies docs "docs[.]links" documents "documents[.](figures|links|tuning)" exports fetches first_command
   headers packages[.].* symbols[.].* units c[.]header c[.]symbols cli[.]manual python[.]stubs budget[.].* report)
 list(JOIN sources_tests "|" sources_tests)
 

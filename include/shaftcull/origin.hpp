@@ -44,7 +44,7 @@ struct WorldPlane {
 ///
 /// All objects of one query need the same origin. Bounds keep their floats as long as the origin does not move. Move
 /// the origin by whole cells that are a few kilometres wide.
-class Origin {
+class SHAFTCULL_EXPORT Origin {
  public:
   /// The origin of the world.
   constexpr Origin() noexcept = default;

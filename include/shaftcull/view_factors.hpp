@@ -63,7 +63,7 @@ struct ViewFactorOptions {
 /// View factors of all pairs of a set: a sparse matrix in rows (CSR). Row i has the factors from patch i to others:
 /// factor[k] is to patch column[k], for k from first[i] to first[i + 1]. Columns ascend; factors are above 0. Where row
 /// i has a factor to j, row j has one to i, and area[i] F(i, j) = area[j] F(j, i) except for rounding.
-struct ViewFactors {
+struct SHAFTCULL_EXPORT ViewFactors {
   std::vector<std::size_t> first{0};  ///< where the factors of each row begin; then the end of the last
   std::vector<std::uint32_t> column;  ///< the patch to which each factor is
   std::vector<double> factor;         ///< row by row
