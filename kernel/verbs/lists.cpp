@@ -157,18 +157,23 @@ void list_streams(const Asked& asked, const std::array<IndexLists*, kinds>& list
 kernel::KeptLeavesList list_to(kernel::KeptLeavesOutput& output) noexcept { return kernel::KeptLeavesList(output); }
 
 void list_tree(const TreeQuery& walks, std::size_t limit, IndexLists& lists) {
-  kernel::TaskLists<kernel::KeptLeavesOutput> all(walks.shafts(), task_walks, lists);
-  all.for_each_shaft(
-      [&](std::size_t s, kernel::KeptLeavesOutput& output) { list_walk(walks, s, list_to(output), limit); });
+  kernel::ShaftTasks tasks(walks.shafts(), task_walks);
+  kernel::TaskLists<kernel::KeptLeavesOutput> all(walks.shafts(), tasks, lists);
+  tasks.for_each_shaft([&](std::size_t task, std::size_t s) {
+    list_walk(walks, s, list_to(all[task]), limit);
+    return all.end_list(task, s);
+  });
   all.concatenate([&](const auto& output, std::uint32_t* out) { output.write(walks.indices(), out); });
   all.complete();
 }
 
 /// The first bounds of streams that each shaft keeps: shaft by shaft, since each ends somewhere else.
 void list_first(const Asked& asked, IndexLists& lists) {
-  kernel::TaskLists<kernel::GrowingOutput<std::uint32_t>> all(asked.shafts().size(), 1, lists);
+  kernel::ShaftTasks tasks(asked.shafts().size(), 1);
+  kernel::TaskLists<kernel::GrowingOutput<std::uint32_t>> all(asked.shafts().size(), tasks, lists);
   const std::size_t limit = asked.options().limit();
-  all.for_each_shaft([&](std::size_t s, auto& output) {
+  tasks.for_each_shaft([&](std::size_t task, std::size_t s) {
+    kernel::GrowingOutput<std::uint32_t>& output = all[task];
     const std::size_t before = output.count();
     const Scan scan = asked.scan(s);
     scan.for_each_chunk(kernel::first_chunk_bounds, [&](const ScannedChunk& chunk) {
@@ -179,6 +184,7 @@ void list_first(const Asked& asked, IndexLists& lists) {
       });
       return output.count() - before != limit;
     });
+    return all.end_list(task, s);
   });
   all.concatenate([](const auto& output, std::uint32_t* out) { std::copy_n(output.data(), output.count(), out); });
   all.complete();
@@ -265,16 +271,13 @@ void list_classified_many(std::span<const CompiledShaft> shafts, const Bounds& b
   require_lists(asked, "inside", inside);
   const TreeQuery* const walks = asked.walks();
   if (walks == nullptr) return list_streams<2>(asked, {&overlap, &inside});
-  kernel::TaskLists<kernel::KeptLeavesOutput> overlaps(shafts.size(), task_walks, overlap);
-  kernel::TaskLists<kernel::KeptLeavesOutput> insides(shafts.size(), task_walks, inside);
-  kernel::parallel_for(overlaps.tasks(), 1, [&](std::size_t t, std::size_t) {
-    const IndexRange task = overlaps.shafts_of(t);
-    for (std::size_t s = task.first; s != task.end(); ++s) {
-      kernel::ClassLister lister(list_to(overlaps[t]), list_to(insides[t]));
-      walks->walk(s, lister);
-      overlaps.end_list(t, s);
-      insides.end_list(t, s);
-    }
+  kernel::ShaftTasks tasks(shafts.size(), task_walks);
+  kernel::TaskLists<kernel::KeptLeavesOutput> overlaps(shafts.size(), tasks, overlap);
+  kernel::TaskLists<kernel::KeptLeavesOutput> insides(shafts.size(), tasks, inside);
+  tasks.for_each_shaft([&](std::size_t task, std::size_t s) {
+    kernel::ClassLister lister(list_to(overlaps[task]), list_to(insides[task]));
+    walks->walk(s, lister);
+    return overlaps.end_list(task, s) + insides.end_list(task, s);
   });
   const auto write = [&](const auto& output, std::uint32_t* out) { output.write(walks->indices(), out); };
   overlaps.concatenate(write);

@@ -11,61 +11,45 @@
 #include "shaftcull/results.hpp"
 #include "support/index_range.hpp"
 #include "support/list_memory.hpp"
+#include "verbs/shaft_tasks.hpp"
 
 namespace shaftcull::kernel {
 
-/// Each task lists the indices of `each` shafts, one after the other, into an output of its own.
+/// Each task lists the indices of its shafts, one after the other, into an output of its own.
 template <class Output>
 class TaskLists {
  public:
-  TaskLists(std::size_t shafts, std::size_t each, IndexLists& lists)
-      : shafts_(shafts),
-        each_(each),
-        output_(chunk_count(shafts, each)),
-        lists_(lists),
-        in_progress_(lists.offsets, lists.indices) {
+  TaskLists(std::size_t shafts, const ShaftTasks& tasks, IndexLists& lists)
+      : tasks_(tasks), output_(tasks.most()), lists_(lists), in_progress_(lists.offsets, lists.indices) {
     lists.offsets.assign(shafts + 1, 0);
   }
 
-  /// Calls fill(s, output) for every shaft, in parallel: it adds the list of shaft s.
-  template <class Fill>
-  void for_each_shaft(const Fill& fill) {
-    parallel_for(output_.size(), 1, [&](std::size_t t, std::size_t) {
-      const IndexRange task = chunk_at(shafts_, each_, t);
-      for (std::size_t s = task.first; s != task.end(); ++s) {
-        fill(s, output_[t]);
-        end_list(t, s);
-      }
-    });
-  }
-  /// For those who fill two outputs at once.
-  [[nodiscard]] std::size_t tasks() const noexcept { return output_.size(); }
-  [[nodiscard]] IndexRange shafts_of(std::size_t task) const noexcept { return chunk_at(shafts_, each_, task); }
   [[nodiscard]] Output& operator[](std::size_t task) noexcept { return output_[task]; }
-  /// Ends the list of shaft s, which is the last one in its task's output so far.
-  void end_list(std::size_t task, std::size_t s) noexcept { lists_.offsets[s + 1] = output_[task].count(); }
+  /// Ends the list of shaft s, which is the last one in its task's output so far, and returns how long that is.
+  std::size_t end_list(std::size_t task, std::size_t s) noexcept {
+    return lists_.offsets[s + 1] = output_[task].count();
+  }
 
   /// Copies the outputs to the caller's lists: write(output, out) writes one.
   template <class Write>
   void concatenate(const Write& write) {
     std::uint64_t before = 0;
-    for (std::size_t t = 0; t != output_.size(); ++t) {
-      const IndexRange task = shafts_of(t);
-      for (std::size_t s = task.first; s != task.end(); ++s) lists_.offsets[s + 1] += before;
-      before = lists_.offsets[task.end()];
+    for (std::size_t t = 0; t != tasks_.count(); ++t) {
+      const IndexRange shafts = tasks_.shafts_of(t);
+      for (std::size_t s = shafts.first; s != shafts.end(); ++s) lists_.offsets[s + 1] += before;
+      before = lists_.offsets[shafts.end()];
     }
     in_progress_.resize_items(before);
-    parallel_for(output_.size(), 1, [&](std::size_t t, std::size_t) {
+    parallel_for(tasks_.count(), 1, [&](std::size_t t, std::size_t) {
       const Output done = std::move(output_[t]);
-      write(done, lists_.indices.data() + lists_.offsets[t * each_]);
+      write(done, lists_.indices.data() + lists_.offsets[tasks_.shafts_of(t).first]);
     });
   }
   /// All lists of the call are concatenated: they are not emptied at the end.
   void complete() noexcept { in_progress_.complete(); }
 
  private:
-  std::size_t shafts_;
-  std::size_t each_;
+  const ShaftTasks& tasks_;
   std::vector<Output> output_;
   IndexLists& lists_;
   IncompleteLists<std::uint32_t> in_progress_;
