@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "shaftcull/isa.hpp"
+
 namespace shaftcull::bench {
 namespace {
 
@@ -109,6 +111,20 @@ RayCounts trace_pair(RTCScene embree, const PatchScene& scene, const FacingPair&
   return counts;
 }
 
+/// So that both use the same.
+const char* instruction_set() {
+  switch (active_isa()) {
+    case Isa::avx512:
+      return "isa=avx512";
+    case Isa::avx2:
+      return "isa=avx2";
+    case Isa::sse4_2:
+      return "isa=sse4.2";
+    default:
+      return nullptr;
+  }
+}
+
 }  // namespace
 
 struct EmbreeScene::Handles {
@@ -127,7 +143,7 @@ struct EmbreeScene::Handles {
 
 EmbreeScene::EmbreeScene(const PatchScene& scene) : handles_(std::make_unique<Handles>()), scene_(scene) {
   // Without a number of threads, which would hold for all of oneTBB in this process. Rays need none.
-  handles_->device = rtcNewDevice(nullptr);
+  handles_->device = rtcNewDevice(instruction_set());
   const RTCDevice device = handles_->device;
   if (device == nullptr) throw std::runtime_error("Embree cannot make a device");
   for (const auto& [property, width] :

@@ -18,8 +18,8 @@ struct RayCounts {
   friend bool operator==(const RayCounts&, const RayCounts&) = default;
 };
 
-/// A scene's triangles in Embree's tree, built at high quality, asked on the calling thread by packets of as many rays
-/// as the machine has lanes.
+/// A scene's triangles in Embree's tree, built at high quality on the library's instruction set, asked on the calling
+/// thread by packets of as many rays as that has lanes.
 class EmbreeScene {
  public:
   /// `scene` must outlive it.
