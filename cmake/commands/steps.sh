@@ -44,7 +44,7 @@ run_steps() {
     if [[ $step == page* ]]; then
       until [[ -x $root/build/release/bin/shaftcull || $(jobs -rp | wc -l) -eq 0 ]]; do wait -n || failed=yes; done
     fi
-    if [[ $failed && ! $record_changes ]]; then break; fi
+    if [[ ! $record_changes ]] && grep -q $'\tFAILED' "$record"; then break; fi
     run_step "$step" $([[ $record_changes || $step == "$first" ]] || echo nice -n 5) &
   done
   while [[ $(jobs -p | wc -l) -gt 0 ]]; do wait -n || failed=yes; done
