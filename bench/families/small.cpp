@@ -4,8 +4,9 @@
 /// small/one_shaft_64_boxes is the whole cost of cull() for a full word of boxes. small/n/N, small/list_many/N and
 /// small/refine_many/N are calls for N boxes, just below and above a word too: fewer bounds must not cost more.
 /// small/refine_many/N passes these N as candidates (Query::only). small/one_box/cull and small/one_box/classify are
-/// keeps() and classify() of a Box instead of a view, for the boxes of small/n/1. small/one_box/frustum and
-/// small/one_box/endless are classify() of them by turned views, and by all that lies from these towards the sun.
+/// keeps() and classify() of a Box instead of a view, for the boxes of small/n/1. small/formed/N is compile() of two
+/// boxes and cull() of N boxes, and small/formed/N/loop a loop over records that does the same. small/one_box/frustum
+/// and small/one_box/endless are classify() of them by turned views, and by all that lies from these towards the sun.
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -19,6 +20,7 @@
 #include <fmt/format.h>
 
 #include "harness/suite.hpp"
+#include "peers/slab_loop.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/hull.hpp"
 #include "shaftcull/isa.hpp"
@@ -39,6 +41,8 @@ constexpr double most_of_fewer = 1.3;
 constexpr double most_of_one_more = 1.6;
 
 struct Small {
+  std::vector<Box> from;
+  std::vector<Box> to;
   std::vector<CompiledShaft> shafts;
   std::vector<ConvexHull> views;
   std::vector<ConvexHull> casters;
@@ -58,6 +62,38 @@ void run_cull(benchmark::State& state, const Small& small, std::size_t count) {
     }
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(small.shafts.size() * slices));
+}
+
+void run_formed(benchmark::State& state, const Small& small, std::size_t count) {
+  std::uint64_t kept[1] = {};
+  for (auto _ : state) {
+    for (std::size_t s = 0; s != small.from.size(); ++s) {
+      const CompiledShaft shaft = compile(small.from[s], small.to[s]);
+      cull(shaft, small.boxes.slice(s % slices * word_boxes, count), kept);
+      benchmark::DoNotOptimize(kept);
+    }
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(small.from.size()));
+}
+
+void run_loop(benchmark::State& state, const Small& small, std::size_t count) {
+  std::vector<Box> records;
+  for (std::size_t i = 0; i != small.boxes.count; ++i) records.push_back(small.boxes[i]);
+  std::uint64_t met = 0;
+  std::uint64_t kept[1] = {};
+  for (auto _ : state) {
+    for (std::size_t s = 0; s != small.from.size(); ++s) {
+      const SlabLoop shaft(small.from[s], small.to[s]);
+      const std::uint64_t bits = shaft.meets(std::span(records).subspan(s % slices * word_boxes, count));
+      benchmark::DoNotOptimize(met = bits);
+    }
+  }
+  for (std::size_t s = 0; s != small.from.size(); ++s) {
+    cull(compile(small.from[s], small.to[s]), small.boxes.slice(s % slices * word_boxes, count), kept);
+    met = SlabLoop(small.from[s], small.to[s]).meets(std::span(records).subspan(s % slices * word_boxes, count));
+    if (met != kept[0]) state.SkipWithError("the loop keeps others than cull()");
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(small.from.size()));
 }
 
 /// Asks every shaft about the first box of every slice, one box a call.
@@ -132,6 +168,8 @@ void declare_sizes(Suite& suite, const std::shared_ptr<Small>& small, Isa isa, c
 void declare_small(Suite& suite, const Workload& workload) {
   const auto small = std::make_shared<Small>();
   for (std::size_t i = 0; i < Workload::test_shafts; ++i) {
+    small->from.push_back(workload.a[i]);
+    small->to.push_back(workload.b[i]);
     small->shafts.push_back(compile(workload.a[i], workload.b[i]));
     complete(small->shafts.back());
     small->views.push_back(view_between(workload.a[i], workload.b[i]));
@@ -175,6 +213,20 @@ void declare_small(Suite& suite, const Workload& workload) {
                               [](const CompiledShaft& shaft, const Box& box) { return classify(shaft, box); });
                 },
                 {.brief = true});
+    }
+    for (const auto& [count, most] : {std::pair{std::size_t{8}, 1.3}, std::pair{std::size_t{16}, 1.0}}) {
+      const std::string row = fmt::format("small/formed/{}", count);
+      suite.add(fmt::format("{}/{}", row, name(isa)), "",
+                [isa, small, of = count](benchmark::State& state) {
+                  select_isa(isa);
+                  run_formed(state, *small, of);
+                },
+                {.brief = true});
+      if (isa == available.back()) {
+        suite.add(row + "/loop", "", [small, of = count](benchmark::State& state) { run_loop(state, *small, of); },
+                  {.brief = true});
+      }
+      suite.add_time_ratio_target(fmt::format("{}/{}", row, name(isa)), row + "/loop", most);
     }
     declare_sizes(suite, small, isa, "list_many", run_list_many);
     declare_sizes(suite, small, isa, "refine_many", run_refine_many);
