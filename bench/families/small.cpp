@@ -5,8 +5,10 @@
 /// small/refine_many/N are calls for N boxes, just below and above a word too: fewer bounds must not cost more.
 /// small/refine_many/N passes these N as candidates (Query::only). small/one_box/cull and small/one_box/classify are
 /// keeps() and classify() of a Box instead of a view, for the boxes of small/n/1. small/formed/N is compile() of two
-/// boxes and cull() of N boxes, and small/formed/N/loop a loop over records that does the same. small/one_box/frustum
-/// and small/one_box/endless are classify() of them by turned views, and by all that lies from these towards the sun.
+/// boxes and cull() of N boxes, and small/formed/N/loop a loop over records that does the same. small/polygons/11 is
+/// cull() of eleven boxes by shafts between turned rectangles, and small/n/11 by shafts between boxes.
+/// small/one_box/frustum and small/one_box/endless are classify() of them by turned views, and by all that lies from
+/// these towards the sun.
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -46,22 +48,24 @@ struct Small {
   std::vector<CompiledShaft> shafts;
   std::vector<ConvexHull> views;
   std::vector<ConvexHull> casters;
+  std::vector<ConvexHull> polygons;
   BoxView boxes;
   std::vector<std::uint32_t> candidates;
   IndexLists lists;
 };
 
-void run_cull(benchmark::State& state, const Small& small, std::size_t count) {
+template <class Shafts>
+void run_cull(benchmark::State& state, const Small& small, const Shafts& shafts, std::size_t count) {
   std::uint64_t kept[bit_words(most_boxes)] = {};
   for (auto _ : state) {
-    for (const CompiledShaft& shaft : small.shafts) {
+    for (const CompiledShaft& shaft : shafts) {
       for (std::size_t p = 0; p < slices; ++p) {
         cull(shaft, small.boxes.slice(p * word_boxes, count), std::span(kept).first(bit_words(count)));
         benchmark::DoNotOptimize(kept);
       }
     }
   }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(small.shafts.size() * slices));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(shafts.size() * slices));
 }
 
 void run_formed(benchmark::State& state, const Small& small, std::size_t count) {
@@ -173,6 +177,8 @@ void declare_small(Suite& suite, const Workload& workload) {
     small->shafts.push_back(compile(workload.a[i], workload.b[i]));
     complete(small->shafts.back());
     small->views.push_back(view_between(workload.a[i], workload.b[i]));
+    const std::span<const Vec3> ends = small->views.back().points();
+    small->polygons.push_back(between_polygons(ends.first(4), ends.subspan(4)));
     small->casters.push_back(casters_towards(small->views.back(), {0.4F, 0.8F, 0.2F}));
   }
   small->boxes = workload.boxes.view().slice(0, slices * word_boxes + most_boxes - word_boxes);
@@ -183,14 +189,31 @@ void declare_small(Suite& suite, const Workload& workload) {
   for (const Isa isa : available) {
     suite.add("small/one_shaft_64_boxes/" + std::string(name(isa)), "", [=](benchmark::State& state) {
       select_isa(isa);
-      run_cull(state, *small, word_boxes);
+      run_cull(state, *small, small->shafts, word_boxes);
     });
     if (isa == Isa::avx2) suite.add_time_target("small/one_shaft_64_boxes/avx2", 60.0);
   }
   for (const Isa isa : std::set<Isa>{Isa::avx2, available.back()}) {
     if (isa > available.back()) continue;
-    declare_sizes(suite, small, isa, "n",
-                  [](benchmark::State& state, Small& some, std::size_t count) { run_cull(state, some, count); });
+    declare_sizes(suite, small, isa, "n", [](benchmark::State& state, Small& some, std::size_t count) {
+      run_cull(state, some, some.shafts, count);
+    });
+    constexpr std::size_t few = 11;  // patches of a cluster, say
+    const std::string by_boxes = fmt::format("small/n/{}/{}", few, name(isa));
+    const std::string by_polygons = fmt::format("small/polygons/{}/{}", few, name(isa));
+    suite.add(by_boxes, "",
+              [=](benchmark::State& state) {
+                select_isa(isa);
+                run_cull(state, *small, small->shafts, few);
+              },
+              {.brief = true});
+    suite.add(by_polygons, "",
+              [=](benchmark::State& state) {
+                select_isa(isa);
+                run_cull(state, *small, small->polygons, few);
+              },
+              {.brief = true});
+    suite.add_time_ratio_target(by_polygons, by_boxes, 2);
     suite.add(fmt::format("small/one_box/cull/{}", name(isa)), "",
               [=](benchmark::State& state) {
                 select_isa(isa);
