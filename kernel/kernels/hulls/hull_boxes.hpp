@@ -115,8 +115,23 @@ void first_hull_stage(const HullData& hull, const float* const* stream, std::siz
   hull_faces_stage<L>(hull, stream, words, kept, position);
 }
 
-/// Which boxes of some vectors are beyond the hull's box, an edge or another face, or empty; if the first stage has not
-/// been there, also those that it finds. Returns the lanes that are undecided, too.
+/// Which boxes of a vector are empty, or padding, or beyond the hull's box.
+template <class L>
+SHAFTCULL_ALWAYS_INLINE [[nodiscard]] inline typename L::Mask beyond_hull_box(const HullData& hull,
+                                                                              const float* const* stream,
+                                                                              std::size_t at) noexcept {
+  const auto is_beyond = [&](unsigned k) {
+    const auto lo = L::load(stream[k] + at);
+    const auto hi = L::load(stream[k + 3] + at);
+    return L::either(L::less(hi, lo),
+                     L::either(L::less(hi, L::all(hull.box[k])), L::less(L::all(hull.box[k + 3]), lo)));
+  };
+  return L::either(is_beyond(0), L::either(is_beyond(1), is_beyond(2)));
+}
+
+/// Which boxes of some vectors are beyond the hull's box, an edge or another face, or empty. If only their boxes were
+/// compared before, those that the first stage finds as well, but not by their boxes. Returns the lanes that are
+/// undecided, too.
 template <class L, bool bounded, unsigned vectors, bool of_both_stages = false>
 SHAFTCULL_ALWAYS_INLINE [[nodiscard]] inline std::uint64_t hull_edges_vectors(const HullData& hull,
                                                                               const float* const* stream,
@@ -129,15 +144,9 @@ SHAFTCULL_ALWAYS_INLINE [[nodiscard]] inline std::uint64_t hull_edges_vectors(co
                                                  hull.faces + hull.edges, stream, at);
   std::uint64_t undecided = 0;
   for (unsigned v = 0; v < vectors; ++v) {
-    const std::size_t first = at + v * L::width;
     auto is_beyond = L::less(depths.most[v], zero);
-    for (unsigned k = 0; k < 3; ++k) {
-      const auto lo = L::load(stream[k] + first);
-      const auto hi = L::load(stream[k + 3] + first);
-      is_beyond = L::either(is_beyond, L::less(hi, lo));  // the empty box, or padding
-      is_beyond =
-          L::either(is_beyond, L::either(L::less(hi, L::all(hull.box[k])), L::less(L::all(hull.box[k + 3]), lo)));
-    }
+    if constexpr (!of_both_stages)
+      is_beyond = L::either(is_beyond, beyond_hull_box<L>(hull, stream, at + v * L::width));
     beyond |= L::bits(is_beyond) << v * L::width;
     if constexpr (bounded) {
       undecided |= L::bits(L::less_equal(depths.most[v], L::all(2 * hull_margin))) << v * L::width;
@@ -200,25 +209,29 @@ template <class L, unsigned vectors>
   return touching;
 }
 
-/// Writes the kept bits of `count` boxes, at most so many.
-template <class L, Contact contact>
-void few_boxes_stage(const HullData& hull, const float* const* stream, std::size_t count,
-                     std::uint64_t* kept) noexcept {
-  constexpr unsigned vectors = 2;
+/// Writes the kept bits of `count` boxes, which fill all of some vectors but the last one.
+template <class L, Contact contact, unsigned vectors>
+void few_boxes_in_vectors(const HullData& hull, const float* const* stream, std::size_t count,
+                          std::uint64_t* kept) noexcept {
   constexpr unsigned streams = 6;
-  alignas(64) float bound[streams][few_boxes_of_hull<L>];
+  alignas(64) float bound[streams][std::size_t{vectors} * L::width];
   const float* few[streams];
   const PartialWord<L> word{static_cast<unsigned>(count)};
   for (unsigned s = 0; s < streams; ++s) {
-    for (unsigned v = 0; v < vectors; ++v) {
-      L::store(&bound[s][v * L::width], word.load(stream[s], 0, std::size_t{v} * L::width));
-    }
+    for (unsigned v = 0; v + 1 < vectors; ++v) L::store(&bound[s][v * L::width], L::load(stream[s] + v * L::width));
+    constexpr std::size_t last = std::size_t{vectors - 1} * L::width;
+    L::store(&bound[s][last], word.load(stream[s], 0, last));
     few[s] = bound[s];
   }
   std::uint64_t beyond = 0;
+  for (unsigned v = 0; v < vectors; ++v) {
+    beyond |= L::bits(beyond_hull_box<L>(hull, few, std::size_t{v} * L::width)) << v * L::width;
+  }
+  *kept = word.lanes() & ~beyond;
+  if (*kept == 0) return;
   std::uint64_t undecided = hull.is_bounded ? hull_edges_vectors<L, true, vectors, true>(hull, few, 0, beyond)
                                             : hull_edges_vectors<L, false, vectors, true>(hull, few, 0, beyond);
-  *kept = word.lanes() & ~beyond;
+  *kept &= ~beyond;
   if constexpr (contact == Contact::open) undecided |= touching_hull_box<L, vectors>(hull, few, 0);
   undecided &= *kept;
   if (undecided == 0) [[likely]]
@@ -227,6 +240,14 @@ void few_boxes_stage(const HullData& hull, const float* const* stream, std::size
     const BoundAt<L, streams> box(few, lane);
     return contact == Contact::open ? hull_box_outside_openly(hull, box.value) : hull_box_outside(hull, box.value);
   });
+}
+
+/// Writes the kept bits of `count` boxes, at most few_boxes_of_hull.
+template <class L, Contact contact>
+void few_boxes_stage(const HullData& hull, const float* const* stream, std::size_t count,
+                     std::uint64_t* kept) noexcept {
+  if (count <= L::width) return few_boxes_in_vectors<L, contact, 1>(hull, stream, count, kept);
+  few_boxes_in_vectors<L, contact, 2>(hull, stream, count, kept);
 }
 
 /// Clears the bits of boxes that are not inside the hull.
