@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <ostream>
@@ -79,9 +81,80 @@ std::string city() {
   return obj + "o ground\nv -6 -6 0\nv 294 -6 0\nv 294 294 0\nv -6 294 0\nf -4 -3 -2 -1\n";
 }
 
-std::string turned(const std::string& obj, double degrees) {
+/// Walls, seen from within, of rectangles of about the same size, each of two triangles.
+class GridMesh {
+ public:
+  using Point = std::array<double, 3>;
+
+  /// The rectangle at `corner` with these edges, seen from where `u` × `v` leads, in so many pieces along each.
+  void add(const Point& corner, const Point& u, const Point& v, int pieces_u, int pieces_v) {
+    const auto number = [&](int i, int j) {
+      std::array<char, 100> text{};
+      Point p{};
+      for (std::size_t k = 0; k != 3; ++k) p[k] = corner[k] + u[k] * i / pieces_u + v[k] * j / pieces_v;
+      std::snprintf(text.data(), text.size(), "%.17g %.17g %.17g", p[0], p[1], p[2]);
+      const auto [found, is_new] = vertices_.try_emplace(text.data(), vertices_.size() + 1);
+      if (is_new) lines_ += "v " + found->first + '\n';
+      return std::to_string(found->second);
+    };
+    for (int i = 0; i != pieces_u; ++i) {
+      for (int j = 0; j != pieces_v; ++j) {
+        const std::string from = number(i, j);
+        const std::string far = number(i + 1, j + 1);
+        const std::string faces[2] = {number(i + 1, j), number(i, j + 1)};
+        faces_ += "f " + from + ' ' + faces[0] + ' ' + far + "\nf " + from + ' ' + far + ' ' + faces[1] + '\n';
+      }
+    }
+  }
+
+  [[nodiscard]] std::string obj() const { return "o room\n" + lines_ + faces_; }
+
+ private:
+  std::map<std::string, std::size_t> vertices_;
+  std::string lines_;
+  std::string faces_;
+};
+
+/// A room in the shape of an L, 4 high, of 896 squares.
+std::string l_room() {
+  constexpr std::array<std::array<double, 2>, 6> outline{{{0, 0}, {8, 0}, {8, 4}, {4, 4}, {4, 8}, {0, 8}}};
+  GridMesh mesh;
+  for (std::size_t k = 0; k != 6; ++k) {
+    const auto& [x, y] = outline[(k + 1) % 6];
+    const double u[2] = {outline[k][0] - x, outline[k][1] - y};
+    mesh.add({x, y, 0}, {u[0], u[1], 0}, {0, 0, 4}, static_cast<int>(2 * std::hypot(u[0], u[1])), 8);
+  }
+  for (const auto& [y, width] : std::array<std::pair<double, double>, 2>{{{0, 8}, {4, 4}}}) {
+    const int pieces = static_cast<int>(2 * width);
+    mesh.add({0, y, 0}, {width, 0, 0}, {0, 4, 0}, pieces, 8);
+    mesh.add({0, y, 4}, {0, 4, 0}, {width, 0, 0}, 8, pieces);
+  }
+  return mesh.obj();
+}
+
+/// A cavity of 10 × 9 × 8, each of its six walls cut into 11 · 6 · fineness² rectangles.
+std::string cavity(int fineness) {
+  const double size[3] = {10, 9, 8};
+  GridMesh mesh;
+  for (std::size_t axis = 0; axis != 3; ++axis) {
+    GridMesh::Point u{};
+    GridMesh::Point v{};
+    u[(axis + 1) % 3] = size[(axis + 1) % 3];
+    v[(axis + 2) % 3] = size[(axis + 2) % 3];
+    GridMesh::Point far{};
+    far[axis] = size[axis];
+    mesh.add({0, 0, 0}, u, v, 11 * fineness, 6 * fineness);
+    mesh.add(far, v, u, 6 * fineness, 11 * fineness);
+  }
+  return mesh.obj();
+}
+
+/// About the z axis, or about one that leans.
+std::string turned(const std::string& obj, double degrees, const std::array<double, 3>& towards) {
   const double s = std::sin(degrees / 180 * std::numbers::pi);
   const double c = std::cos(degrees / 180 * std::numbers::pi);
+  const double length = std::hypot(towards[0], towards[1], towards[2]);
+  const double axis[3] = {towards[0] / length, towards[1] / length, towards[2] / length};
   std::string result;
   std::istringstream in(obj);
   for (std::string line; std::getline(in, line);) {
@@ -89,8 +162,12 @@ std::string turned(const std::string& obj, double degrees) {
     double y = 0;
     double z = 0;
     if (std::sscanf(line.c_str(), "v %lf %lf %lf", &x, &y, &z) == 3) {
+      const double along = (axis[0] * x + axis[1] * y + axis[2] * z) * (1 - c);
       std::array<char, 100> text{};
-      std::snprintf(text.data(), text.size(), "v %.17g %.17g %.17g", c * x - s * y, s * x + c * y, z);
+      std::snprintf(text.data(), text.size(), "v %.17g %.17g %.17g",
+                    c * x + s * (axis[1] * z - axis[2] * y) + along * axis[0],
+                    c * y + s * (axis[2] * x - axis[0] * z) + along * axis[1],
+                    c * z + s * (axis[0] * y - axis[1] * x) + along * axis[2]);
       line = text.data();
     }
     result += line + '\n';
@@ -103,10 +180,20 @@ class CliSmallScenes : public testing::TestWithParam<SmallScene> {
   /// The path of a scene, made where it is not one of the files.
   [[nodiscard]] std::string file_of(const std::string& scene) const {
     const std::vector<std::string> words = split(scene, ' ');
-    std::string path = scenes_folder + '/' + words.at(0);
-    if (words.size() == 1 && words[0] != "city") return path;
-    const std::string obj = words[0] == "city" ? city() : bytes_of_file(path);
-    return folder_.write(words[0] + ".made.obj", words.size() == 1 ? obj : turned(obj, std::stod(words.at(2))));
+    static const std::map<std::string, std::function<std::string()>> made{{"city", city},
+                                                                          {"l_room", l_room},
+                                                                          {"cavity_792", [] { return cavity(1); }},
+                                                                          {"cavity_3168", [] { return cavity(2); }}};
+    const auto make = made.find(words.at(0));
+    std::string path = scenes_folder + '/' + words[0];
+    if (words.size() == 1 && make == made.end()) return path;
+    std::string obj = make == made.end() ? bytes_of_file(path) : make->second();
+    if (words.size() != 1) {
+      const bool about_z = words.size() == 3;
+      obj = turned(obj, std::stod(words.at(2)),
+                   about_z ? std::array<double, 3>{0, 0, 1} : std::array<double, 3>{1, 2, 3});
+    }
+    return folder_.write(words[0] + ".made.obj", obj);
   }
 
   [[nodiscard]] Outcome run(const std::string& scene) const {
@@ -136,7 +223,9 @@ class CliSmallScenes : public testing::TestWithParam<SmallScene> {
     const std::string& value = words.back();
     const double left = number(report, subject);
     double right = 0;
-    if (value.find("obj") != std::string::npos || value.find("gltf") != std::string::npos) {
+    if (const std::size_t of = value.find("%of:"); of != std::string::npos) {
+      right = std::stod(value) / 100 * number(Json::parse(run(value.substr(of + 4)).out), subject);
+    } else if (value.find("obj") != std::string::npos || value.find("gltf") != std::string::npos) {
       right = number(Json::parse(run(value).out), subject);
     } else {
       right = std::stod(value);
