@@ -87,7 +87,7 @@ struct GroupScene {
 
   GroupScene(Mesh mesh, std::uint64_t seed) {
     Random random(seed);
-    if (random.one_in(3)) scale = std::ldexp(1.0F, static_cast<int>(random.integer(-40, 40)));
+    if (random.one_in(3)) scale = std::ldexp(1.0F, static_cast<int>(random.integer(-110, 100)));
     Vec3 moved{};
     if (random.one_in(3)) moved = random.vec3(-100 * scale, 100 * scale);
     const unsigned most = 513 + random.below(1500);
@@ -153,6 +153,39 @@ TEST(RayTrees, LetThroughTheLightThatTrianglesOneByOneDo) {
       std::vector<float> fractions(right.size());
       lit_fractions(scene.patches, all, lights, fractions);
       EXPECT_EQ(fractions, right);
+    });
+  }
+}
+
+// Ways along an axis have inverses that are no finite floats.
+TEST(RayTrees, LetNothingThroughAClosedSheetOfAnySize) {
+  constexpr int pieces = 17;
+  for (int exponent = -120; exponent <= 120; exponent += 5) {
+    const auto point = [&](float x, float y, float z) {
+      return Vec3{std::ldexp(x, exponent), std::ldexp(y, exponent), std::ldexp(z, exponent)};
+    };
+    std::vector<Triangle> sheet;
+    const auto at = [&](int i, int j) {
+      return point(2 * static_cast<float>(i) / pieces - 1, 2 * static_cast<float>(j) / pieces - 1, 0);
+    };
+    for (int i = 0; i != pieces; ++i) {
+      for (int j = 0; j != pieces; ++j) {
+        sheet.push_back({{at(i, j), at(i + 1, j), at(i + 1, j + 1)}});
+        sheet.push_back({{at(i, j), at(i + 1, j + 1), at(i, j + 1)}});
+      }
+    }
+    const PatchSet patches(std::vector<Vec3>{point(-0.5F, -0.5F, -1), point(0.5F, -0.5F, -1), point(0.5F, 0.5F, -1),
+                                             point(-0.5F, 0.5F, -1), point(-0.6F, -0.6F, 1), point(-0.6F, 0.6F, 1),
+                                             point(0.6F, 0.6F, 1), point(0.6F, -0.6F, 1)},
+                           std::vector<std::size_t>{0, 4, 8});
+    Occluders occluders;
+    const std::vector<std::size_t> group{0, sheet.size()};
+    occluders.add_triangles(TriangleStream(std::span<const Triangle>(sheet)), group);
+    std::vector<float> lit(2);
+    on_each_instruction_set([&] {
+      EXPECT_EQ(fractions_of(patches, patches, occluders, {{0, 1}}, {.rays = 4096})[0], 0) << exponent;
+      lit_fractions(patches, occluders, std::vector<Vec3>{{1e-7F, 0, 1}}, lit, {.rays = 4096});
+      EXPECT_EQ(lit[0], 0) << exponent;
     });
   }
 }

@@ -22,7 +22,8 @@ class TreeRays {
  public:
   using Vector = typename L::Vector;
 
-  TreeRays(const RayPacket& packet, float margin) noexcept : packet_(packet), margin_(margin), beam_(packet, margin) {}
+  TreeRays(const RayPacket& packet, float margin) noexcept
+      : packet_(packet), margin_(margin), box_margin_(margin + shortest_way), beam_(packet, box_margin_) {}
 
   /// Of the rays `asked`, those that pass through a triangle below a node.
   [[nodiscard]] std::uint64_t meet(const RayTree& tree, std::uint32_t root, std::uint64_t asked) noexcept {
@@ -56,6 +57,8 @@ class TreeRays {
   }
 
  private:
+  /// More than all ways along an axis whose inverses are not finite.
+  static constexpr float shortest_way = 0x1p-126F;
   /// So many rays are tested side by side against triangles.
   static constexpr int fewest_together = 8;
 
@@ -93,8 +96,8 @@ class TreeRays {
   [[nodiscard]] std::uint64_t reach_box(const RayTreeNode& node, unsigned child, std::uint64_t rays) const noexcept {
     float box[6];
     for (unsigned k = 0; k < 3; ++k) {
-      box[k] = node.face[k][child] - margin_;
-      box[k + 3] = node.face[k + 3][child] + margin_;
+      box[k] = node.face[k][child] - box_margin_;
+      box[k + 3] = node.face[k + 3][child] + box_margin_;
     }
     return rays & meet_box<L>(packet_, box, rays);
   }
@@ -176,14 +179,14 @@ class TreeRays {
 
   /// For tests of single rays against boxes.
   void prepare() noexcept {
-    constexpr float most = 1e30F;  // of an inverse that may be infinite: 0 times it is 0
+    constexpr float most = 0x1.fffffep127F;  // of an inverse that may be infinite: 0 times it is 0
     for (unsigned k = 0; k < 3; ++k) {
       rises_[k] = 0;
       for (unsigned lane = 0; lane < packet_.count; lane += L::width) {
         const Vector inverse = L::maximum(L::minimum(L::load(packet_.inverse[k] + lane), L::all(most)), L::all(-most));
         const Vector at = L::add(L::load(packet_.from[k] + lane), L::all(packet_.origin[k]));
-        const Vector above = L::add(at, L::all(margin_));
-        const Vector below = L::subtract(at, L::all(margin_));
+        const Vector above = L::add(at, L::all(box_margin_));
+        const Vector below = L::subtract(at, L::all(box_margin_));
         const auto rises = L::less(L::all(0.0F), inverse);
         rises_[k] |= L::bits(rises) << lane;
         L::store(inverse_[k] + lane, inverse);
@@ -196,6 +199,7 @@ class TreeRays {
 
   const RayPacket& packet_;
   float margin_;
+  float box_margin_;
   bool is_prepared_ = false;
   RayBeam<L> beam_;
   std::uint64_t rises_[3];  ///< of each axis, the rays whose coordinate grows
