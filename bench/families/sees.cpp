@@ -189,6 +189,7 @@ void declare_sees(Suite& suite, const Workload& /*workload*/) {
   const double share = measured_isa() == Isa::avx512 ? 1 : 0.7;
   declare_all(suite, inside, 150e6 * share);
   declare_all(suite, outside, 100e6 * share);
+  for (const auto& scene : {inside, outside}) declare_corners(suite, scene);
 #ifdef SHAFTCULL_BENCH_WITH_EMBREE
   struct Rows {
     std::shared_ptr<SeesScene> scene;

@@ -165,34 +165,6 @@ Check check(SeesScene& sees, std::span<const Product> products, const ShadowRays
 
 }  // namespace
 
-PatchSet polygons_of(const PatchScene& scene, std::span<const std::uint32_t> patches) {
-  std::vector<Vec3> corners;
-  std::vector<std::size_t> first_corner{0};
-  for (const std::uint32_t number : patches) {
-    const Patch& patch = scene.patches[number];
-    const auto at = [&patch](float u, float v) {
-      Vec3 point;
-      for (std::size_t k = 0; k != 3; ++k) point[k] = patch.corner[k] + u * patch.across[k] + v * patch.up[k];
-      return point;
-    };
-    float height = 0;  // of across × up above the plane
-    for (std::size_t k = 0; k != 3; ++k) {
-      const std::size_t l = (k + 1) % 3;
-      const std::size_t m = (k + 2) % 3;
-      const float cross = patch.across[l] * patch.up[m] - patch.across[m] * patch.up[l];
-      height += cross * scene.patch_planes[number].normal[k];
-    }
-    const auto first = static_cast<std::ptrdiff_t>(corners.size());
-    corners.push_back(at(0, 0));
-    corners.push_back(at(1, 0));
-    if (!patch.triangle) corners.push_back(at(1, 1));
-    corners.push_back(at(0, 1));
-    if (height < 0) std::reverse(corners.begin() + first, corners.end());
-    first_corner.push_back(corners.size());
-  }
-  return PatchSet(corners, first_corner);
-}
-
 void declare_rays(Suite& suite, const std::shared_ptr<SeesScene>& sees, bool near, unsigned rays, double target) {
   const std::size_t count = products_for(rays, suite.quick());
   const RunOptions options{.brief = !suite.quick(), .once = suite.quick()};

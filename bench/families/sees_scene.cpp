@@ -2,6 +2,7 @@
 #include "families/sees_scene.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -50,6 +51,34 @@ Occluders occluders_of(const PatchScene& scene, TurnedSolids turned) {
   const Box somewhere{};
   benchmark::DoNotOptimize(count_visibility(PatchSet(std::span(&somewhere, 1)), occluders));
   return occluders;
+}
+
+PatchSet polygons_of(const PatchScene& scene, std::span<const std::uint32_t> patches) {
+  std::vector<Vec3> corners;
+  std::vector<std::size_t> first_corner{0};
+  for (const std::uint32_t number : patches) {
+    const Patch& patch = scene.patches[number];
+    const auto at = [&patch](float u, float v) {
+      Vec3 point;
+      for (std::size_t k = 0; k != 3; ++k) point[k] = patch.corner[k] + u * patch.across[k] + v * patch.up[k];
+      return point;
+    };
+    float height = 0;  // of across × up above the plane
+    for (std::size_t k = 0; k != 3; ++k) {
+      const std::size_t l = (k + 1) % 3;
+      const std::size_t m = (k + 2) % 3;
+      const float cross = patch.across[l] * patch.up[m] - patch.across[m] * patch.up[l];
+      height += cross * scene.patch_planes[number].normal[k];
+    }
+    const auto first = static_cast<std::ptrdiff_t>(corners.size());
+    corners.push_back(at(0, 0));
+    corners.push_back(at(1, 0));
+    if (!patch.triangle) corners.push_back(at(1, 1));
+    corners.push_back(at(0, 1));
+    if (height < 0) std::reverse(corners.begin() + first, corners.end());
+    first_corner.push_back(corners.size());
+  }
+  return PatchSet(corners, first_corner);
 }
 
 std::string shares_text(const SightCounts& counts) {

@@ -31,6 +31,9 @@ enum class TurnedSolids : unsigned char { hulls, boxes_inside };
 /// first call finds which solids are one.
 Occluders occluders_of(const PatchScene& scene, TurnedSolids turned = TurnedSolids::hulls);
 
+/// Patches by their corners, counterclockwise as seen from the front.
+PatchSet polygons_of(const PatchScene& scene, std::span<const std::uint32_t> patches);
+
 /// "4.8 % clear, 86.0 % occluded, …"
 std::string shares_text(const SightCounts& counts);
 
@@ -108,10 +111,10 @@ class SeesScene {
 #endif
 };
 
-#ifdef SHAFTCULL_BENCH_WITH_EMBREE
-/// Patches by their corners, counterclockwise as seen from the front: where rays begin and end.
-PatchSet polygons_of(const PatchScene& scene, std::span<const std::uint32_t> patches);
+/// Adds rows of all pairs of patches by their corners.
+void declare_corners(Suite& suite, const std::shared_ptr<SeesScene>& sees);
 
+#ifdef SHAFTCULL_BENCH_WITH_EMBREE
 /// What rays are cast against: what is solid as such and meshes as triangles, or all as triangles.
 enum class RayTargets : unsigned char { solids, triangles };
 

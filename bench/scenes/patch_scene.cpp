@@ -39,14 +39,6 @@ void add_faces(std::vector<Triangle>& triangles, const TurnedBox& c) {
   }
 }
 
-TurnedBox corners_of(const Box& box) {
-  TurnedBox corners{};
-  for (std::size_t i = 0; i != 8; ++i) {
-    for (std::size_t k = 0; k != 3; ++k) corners[i][k] = (i >> k & 1U) != 0 ? box.hi[k] : box.lo[k];
-  }
-  return corners;
-}
-
 /// The plane of this normal that has all points on it or behind it, as near as floats allow.
 Plane plane_before(const Vec3& normal, std::span<const Vec3> points) {
   double offset = -std::numeric_limits<double>::infinity();
@@ -127,6 +119,14 @@ Vec3 placed(const Vec3& centre, double scale, const Point& direction) {
 }
 
 }  // namespace
+
+TurnedBox corners_of(const Box& box) {
+  TurnedBox corners{};
+  for (std::size_t i = 0; i != 8; ++i) {
+    for (std::size_t k = 0; k != 3; ++k) corners[i][k] = (i >> k & 1U) != 0 ? box.hi[k] : box.lo[k];
+  }
+  return corners;
+}
 
 unsigned PatchSize::pieces(double length) const noexcept {
   return finer * std::max(1U, static_cast<unsigned>(std::lround(length / static_cast<double>(edge))));

@@ -96,6 +96,9 @@ class PatchSceneMaker {
   std::vector<std::uint32_t> mesh_ends_;
 };
 
+/// The corners of a box, as those of a turned one.
+[[nodiscard]] TurnedBox corners_of(const Box& box);
+
 /// The corners of a box of these half sizes whose middle is `at` in the plane, from `bottom` to `top`.
 [[nodiscard]] TurnedBox turned_box(const std::array<double, 2>& at, const std::array<double, 2>& half, double bottom,
                                    double top, const Turn& turn);
