@@ -67,6 +67,48 @@ TYPED_TEST(TreeMany, CountsAndListsAreThoseOfSingleShaftsOnAnyNumberOfThreads) {
   }
 }
 
+// Lists that are worth tasks of their own come at once, late, or never; there may be fewer of them than threads.
+TEST(TreeManyOfFew, ListsAreThoseOfSingleShafts) {
+  Random random(67);
+  const std::vector<Box> bounds = scene<Box>(random, Shape::uniform, 20000);
+  const BoxTree tree{std::span<const Box>(bounds)};
+  const Box all = tree.box();
+  const CompiledShaft large = compile(all, all);
+  const Box corner{all.lo, all.lo};
+  const CompiledShaft small = compile(corner, corner);
+  const std::vector<std::uint32_t> kept_by_large = [&] {
+    std::vector<std::uint32_t> kept;
+    list(large, tree, kept);
+    return kept;
+  }();
+  ASSERT_EQ(kept_by_large.size(), bounds.size());
+  std::vector<std::uint32_t> kept_by_small;
+  list(small, tree, kept_by_small);
+  for (const int threads : thread_counts) {
+    for (const std::size_t count : {1U, 2U, 3U, 5U, 17U, 31U, 32U, 33U}) {
+      for (const std::size_t first_large : {std::size_t{0}, std::size_t{1}, count / 2, count}) {
+        SCOPED_TRACE(testing::Message() << count << " shafts, large from " << first_large << " on, " << threads
+                                        << " threads");
+        std::vector<CompiledShaft> shafts;
+        for (std::size_t s = 0; s != count; ++s) shafts.push_back(s < first_large ? small : large);
+        IndexLists kept;
+        IndexLists overlap;
+        IndexLists inside;
+        with_threads(threads, [&] {
+          list_many(shafts, tree, kept);
+          list_classified_many(shafts, tree, overlap, inside);
+        });
+        ASSERT_EQ(kept.size(), count);
+        for (std::size_t s = 0; s != count; ++s) {
+          const std::vector<std::uint32_t>& right = s < first_large ? kept_by_small : kept_by_large;
+          EXPECT_TRUE(std::equal(kept[s].begin(), kept[s].end(), right.begin(), right.end())) << s;
+          EXPECT_EQ(overlap[s].size() + inside[s].size(), right.size()) << s;
+        }
+      }
+    }
+  }
+}
+
 TYPED_TEST(TreeMany, BitsAreThoseOfSingleShaftsOnAnyNumberOfThreads) {
   const std::size_t row = bit_words(this->bounds_.size());
   // More than a word of shafts for any_many(), the last of which keep nothing.
