@@ -10,6 +10,7 @@
 
 #include "dynamic/changes.hpp"
 #include "dynamic/nearest.hpp"
+#include "support/compiler.hpp"
 #include "tree/leaf_block.hpp"
 #include "tree/size_class.hpp"
 
@@ -138,7 +139,7 @@ class BlockChanges {
     std::size_t other = block_words;
     float least_measure = std::numeric_limits<float>::infinity();
     for (std::size_t w = 0; w != block_words; ++w) {
-      if (std::popcount(block_.taken[w]) > most_in_partner) continue;
+      if (popcount_anywhere(block_.taken[w]) > most_in_partner) continue;
       const float measure = measure_with(node_, w, corners_at(node_, word).corner);
       if (!(measure < least_measure)) continue;
       least_measure = measure;

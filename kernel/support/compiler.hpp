@@ -58,6 +58,19 @@ SHAFTCULL_ALWAYS_INLINE inline To converted(From a) noexcept {
 /// How many bits are set.
 SHAFTCULL_ALWAYS_INLINE inline int popcount(std::uint64_t word) noexcept { return __builtin_popcountll(word); }
 
+/// The same outside of kernels, in code for all processors of the target: compilers would call a function for those of
+/// x86. (H. S. Warren, "Hacker's Delight", 2002.)
+SHAFTCULL_ALWAYS_INLINE inline int popcount_anywhere(std::uint64_t word) noexcept {
+#if defined(SHAFTCULL_TARGET_SSE2)
+  word -= word >> 1U & 0x5555555555555555U;
+  word = (word & 0x3333333333333333U) + (word >> 2U & 0x3333333333333333U);
+  word = (word + (word >> 4U)) & 0x0f0f0f0f0f0f0f0fU;
+  return static_cast<int>(word * 0x0101010101010101U >> 56U);
+#else
+  return __builtin_popcountll(word);
+#endif
+}
+
 /// The position of the lowest bit that is set. There must be one.
 SHAFTCULL_ALWAYS_INLINE inline int trailing_zeros(std::uint64_t word) noexcept { return __builtin_ctzll(word); }
 

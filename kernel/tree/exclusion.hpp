@@ -46,7 +46,7 @@ class LayerFilter {
   static constexpr int few = 8;
 
   [[nodiscard]] std::uint64_t kept(const std::uint32_t* layers, std::uint64_t asked) const noexcept {
-    if (std::popcount(asked) > few) return asked & keep_(layers, mask_);
+    if (popcount_anywhere(asked) > few) return asked & keep_(layers, mask_);
     std::uint64_t bits = 0;
     for (std::uint64_t left = asked; left != 0; left &= left - 1) {
       const bool is_in = (layers[std::countr_zero(left)] & mask_) != 0;

@@ -2,11 +2,11 @@
 /// Leaves that shafts keep, until it is known where their indices are written.
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 
 #include "query/outputs.hpp"
+#include "support/compiler.hpp"
 #include "tree/leaf_indices.hpp"
 
 namespace shaftcull::kernel {
@@ -18,7 +18,7 @@ class KeptLeavesOutput {
   void add_word(std::size_t first, std::uint64_t bits) {
     if (bits == 0) return;
     items_.push({bits, static_cast<std::uint32_t>(first), 0});
-    count_ += static_cast<std::size_t>(std::popcount(bits));
+    count_ += static_cast<std::size_t>(popcount_anywhere(bits));
   }
   void add_range(std::size_t first, std::size_t size) {
     items_.push({0, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(size)});

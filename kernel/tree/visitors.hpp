@@ -98,7 +98,7 @@ class LimitedLister {
   LimitedLister(const List& kept, std::size_t limit) noexcept : kept_(kept), left_(limit) {}
 
   void word(std::size_t first, std::uint64_t kept, std::uint64_t /*inside*/) {
-    auto set = static_cast<std::size_t>(std::popcount(kept));
+    auto set = static_cast<std::size_t>(popcount_anywhere(kept));
     if (set > left_) {
       std::uint64_t rest = kept;
       for (std::size_t i = 0; i != left_; ++i) rest &= rest - 1;

@@ -3,12 +3,12 @@
 /// them.
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <span>
 
 #include "exact/blocking.hpp"
 #include "exact/patch_plane.hpp"
 #include "exact/polygon.hpp"
+#include "support/compiler.hpp"
 #include "visibility/ladder_parts.hpp"
 #include "visibility/lanes.hpp"
 #include "visibility/patch_edges.hpp"
@@ -85,7 +85,7 @@ std::uint64_t Ladder::block_corners(const Side& rows, unsigned row, const Side& 
       });
     }
     const bool is_flat = solid[0] == solid[3] || solid[1] == solid[4] || solid[2] == solid[5];
-    if (!is_flat && std::popcount(may) >= many_lanes) {
+    if (!is_flat && popcount_anywhere(may) >= many_lanes) {
       occluded |= corners_behind_cone(solids.list[i], rows, row, columns, may);
       continue;
     }

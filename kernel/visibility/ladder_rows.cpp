@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// One row of the ladder's pairs: a group or a patch, and those of the other side.
-#include <bit>
 #include <utility>
 
+#include "support/compiler.hpp"
 #include "visibility/ladder_parts.hpp"
 #include "visibility/lanes.hpp"
 
@@ -31,7 +31,7 @@ void Ladder::tell_if_full() const {
 void Ladder::decide(const Side& rows, unsigned row, const Side& columns, std::uint64_t which, Sight sight) {
   if (which == 0) return;
   if (!job_.wants_blocks && rows.are_patches && columns.are_patches) {
-    to_->answers.counts.of(sight) += static_cast<std::uint64_t>(std::popcount(which));
+    to_->answers.counts.of(sight) += static_cast<std::uint64_t>(popcount_anywhere(which));
     return;
   }
   for_each_run(which,
@@ -134,7 +134,7 @@ void Ladder::answer_boxes(Level& here, const Side& rows, unsigned row, const Sid
   const SiblingKernels& kernels = job_.kernels;
   const OccluderData& occluders = job_.occluders;
   // Side by side, fewer vectors hold those that are left.
-  const auto count = static_cast<unsigned>(std::popcount(lanes));
+  const auto count = static_cast<unsigned>(popcount_anywhere(lanes));
   const bool have_parts = occluders.have_parts;
   const bool has_both_sides = rows.has_both_sides() || columns.has_both_sides();  // lanes are where faced_ has them
   const bool packs = kernels.pack != nullptr && !has_both_sides && count + most_siblings / 4 <= columns.count;
@@ -215,7 +215,7 @@ void Ladder::write_undecided(const Level& here, const Side& rows, unsigned row, 
                              std::uint64_t lanes) {
   SightAnswers& answers = to_->answers;
   if (!job_.wants_undecided) {
-    answers.counts.undecided += static_cast<std::uint64_t>(std::popcount(lanes));
+    answers.counts.undecided += static_cast<std::uint64_t>(popcount_anywhere(lanes));
     return;
   }
   const std::uint32_t a = rows.set.tree.order()[rows.first + row];

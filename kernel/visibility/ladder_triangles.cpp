@@ -3,10 +3,10 @@
 /// a room do, reaches into shafts that none of its triangles reach into.
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <numeric>
 #include <span>
 
+#include "support/compiler.hpp"
 #include "visibility/ladder_parts.hpp"
 #include "visibility/lanes.hpp"
 
@@ -54,7 +54,7 @@ std::uint64_t Ladder::look_at_triangles(const Side& rows, unsigned row, const Si
     if (occluders.parts_of(candidates.list[i]) != 0) with_parts |= candidates.kept[i];
   }
   with_parts &= lanes;
-  const auto count = static_cast<unsigned>(std::popcount(with_parts));
+  const auto count = static_cast<unsigned>(popcount_anywhere(with_parts));
   // Side by side, fewer vectors hold them.
   const bool packs = kernels.pack != nullptr && count + most_siblings / 4 <= columns.count;
   if (packs && with_parts != 0) {

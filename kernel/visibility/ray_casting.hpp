@@ -3,7 +3,6 @@
 /// they meet.
 #pragma once
 
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -14,6 +13,7 @@
 #include "kernels/kernel_table.hpp"
 #include "kernels/rays/ray_packet.hpp"
 #include "shaftcull/visibility.hpp"
+#include "support/compiler.hpp"
 #include "visibility/occluders.hpp"
 #include "visibility/ray_shapes.hpp"
 
@@ -28,8 +28,8 @@ struct RayTally {
   /// Adds a packet: a bit for each ray.
   void add(std::uint32_t count, std::uint64_t in_front, std::uint64_t unmet) noexcept {
     rays += count;
-    facing += static_cast<std::uint32_t>(std::popcount(in_front));
-    seen += static_cast<std::uint32_t>(std::popcount(unmet));
+    facing += static_cast<std::uint32_t>(popcount_anywhere(in_front));
+    seen += static_cast<std::uint32_t>(popcount_anywhere(unmet));
   }
 
   /// The share of rays that meet nothing, of those that leave and arrive in front; 0 if there are none.
