@@ -158,7 +158,7 @@ kernel::KeptLeavesList list_to(kernel::KeptLeavesOutput& output) noexcept { retu
 
 void list_tree(const TreeQuery& walks, std::size_t limit, IndexLists& lists) {
   kernel::ShaftTasks tasks(walks.shafts(), task_walks);
-  kernel::TaskLists<kernel::KeptLeavesOutput> all(walks.shafts(), tasks, lists);
+  kernel::TaskLists<kernel::KeptLeavesOutput> all(tasks, lists);
   tasks.for_each_shaft([&](std::size_t task, std::size_t s) {
     list_walk(walks, s, list_to(all[task]), limit);
     return all.end_list(task, s);
@@ -170,7 +170,7 @@ void list_tree(const TreeQuery& walks, std::size_t limit, IndexLists& lists) {
 /// The first bounds of streams that each shaft keeps: shaft by shaft, since each ends somewhere else.
 void list_first(const Asked& asked, IndexLists& lists) {
   kernel::ShaftTasks tasks(asked.shafts().size(), 1);
-  kernel::TaskLists<kernel::GrowingOutput<std::uint32_t>> all(asked.shafts().size(), tasks, lists);
+  kernel::TaskLists<kernel::GrowingOutput<std::uint32_t>> all(tasks, lists);
   const std::size_t limit = asked.options().limit();
   tasks.for_each_shaft([&](std::size_t task, std::size_t s) {
     kernel::GrowingOutput<std::uint32_t>& output = all[task];
@@ -272,8 +272,8 @@ void list_classified_many(std::span<const CompiledShaft> shafts, const Bounds& b
   const TreeQuery* const walks = asked.walks();
   if (walks == nullptr) return list_streams<2>(asked, {&overlap, &inside});
   kernel::ShaftTasks tasks(shafts.size(), task_walks);
-  kernel::TaskLists<kernel::KeptLeavesOutput> overlaps(shafts.size(), tasks, overlap);
-  kernel::TaskLists<kernel::KeptLeavesOutput> insides(shafts.size(), tasks, inside);
+  kernel::TaskLists<kernel::KeptLeavesOutput> overlaps(tasks, overlap);
+  kernel::TaskLists<kernel::KeptLeavesOutput> insides(tasks, inside);
   tasks.for_each_shaft([&](std::size_t task, std::size_t s) {
     kernel::ClassLister lister(list_to(overlaps[task]), list_to(insides[task]));
     walks->walk(s, lister);

@@ -19,6 +19,7 @@ class ShaftTasks {
     are_few_ = threads_ > 1 && shafts < each * threads_;
   }
 
+  [[nodiscard]] std::size_t shafts() const noexcept { return shafts_; }
   /// At most so many tasks.
   [[nodiscard]] std::size_t most() const noexcept {
     return are_few_ ? 1 + of_each_thread * threads_ : chunk_count(shafts_, each_);

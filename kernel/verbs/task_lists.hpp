@@ -19,9 +19,9 @@ namespace shaftcull::kernel {
 template <class Output>
 class TaskLists {
  public:
-  TaskLists(std::size_t shafts, const ShaftTasks& tasks, IndexLists& lists)
+  TaskLists(const ShaftTasks& tasks, IndexLists& lists)
       : tasks_(tasks), output_(tasks.most()), lists_(lists), in_progress_(lists.offsets, lists.indices) {
-    lists.offsets.assign(shafts + 1, 0);
+    lists.offsets.assign(tasks.shafts() + 1, 0);
   }
 
   [[nodiscard]] Output& operator[](std::size_t task) noexcept { return output_[task]; }

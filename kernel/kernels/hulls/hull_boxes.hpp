@@ -17,6 +17,21 @@ SHAFTCULL_COLD std::uint64_t hull_outside_by_predicate(const HullData& hull, con
                          [&](unsigned lane) { return hull_box_outside(hull, BoundAt<L, 6>(stream, at + lane).value); });
 }
 
+/// Which boxes of a vector are empty, or padding, or `by_box` beyond the hull's box.
+template <class L, bool by_box = true>
+SHAFTCULL_ALWAYS_INLINE [[nodiscard]] inline typename L::Mask beyond_hull_box(const HullData& hull,
+                                                                              const float* const* stream,
+                                                                              std::size_t at) noexcept {
+  const auto is_beyond = [&](unsigned k) {
+    const auto lo = L::load(stream[k] + at);
+    const auto hi = L::load(stream[k + 3] + at);
+    const auto is_empty = L::less(hi, lo);
+    if constexpr (!by_box) return is_empty;
+    return L::either(is_empty, L::either(L::less(hi, L::all(hull.box[k])), L::less(L::all(hull.box[k + 3]), lo)));
+  };
+  return L::either(is_beyond(0), L::either(is_beyond(1), is_beyond(2)));
+}
+
 /// Bits of the boxes of the word at `at` that are empty, or `by_box` do not meet the hull's box.
 template <class L, bool by_box>
 SHAFTCULL_ALWAYS_INLINE [[nodiscard]] inline std::uint64_t hull_box_word(const HullData& hull,
@@ -24,17 +39,7 @@ SHAFTCULL_ALWAYS_INLINE [[nodiscard]] inline std::uint64_t hull_box_word(const H
                                                                          std::size_t at) noexcept {
   std::uint64_t outside = 0;
   for (unsigned lane = 0; lane < word_bits; lane += L::width) {
-    const auto is_outside = [&](unsigned k) {
-      const auto lo = L::load(stream[k] + at + lane);
-      const auto hi = L::load(stream[k + 3] + at + lane);
-      auto is_beyond = L::less(hi, lo);
-      if constexpr (by_box) {
-        is_beyond =
-            L::either(is_beyond, L::either(L::less(hi, L::all(hull.box[k])), L::less(L::all(hull.box[k + 3]), lo)));
-      }
-      return is_beyond;
-    };
-    outside |= L::bits(L::either(L::either(is_outside(0), is_outside(1)), is_outside(2))) << lane;
+    outside |= L::bits(beyond_hull_box<L, by_box>(hull, stream, at + lane)) << lane;
   }
   return outside;
 }
@@ -113,20 +118,6 @@ void first_hull_stage(const HullData& hull, const float* const* stream, std::siz
   if (hull.is_conservative && hull.suits_floats) [[unlikely]]
     return conservative_stage<L>(hull, stream, words, kept, position);
   hull_faces_stage<L>(hull, stream, words, kept, position);
-}
-
-/// Which boxes of a vector are empty, or padding, or beyond the hull's box.
-template <class L>
-SHAFTCULL_ALWAYS_INLINE [[nodiscard]] inline typename L::Mask beyond_hull_box(const HullData& hull,
-                                                                              const float* const* stream,
-                                                                              std::size_t at) noexcept {
-  const auto is_beyond = [&](unsigned k) {
-    const auto lo = L::load(stream[k] + at);
-    const auto hi = L::load(stream[k + 3] + at);
-    return L::either(L::less(hi, lo),
-                     L::either(L::less(hi, L::all(hull.box[k])), L::less(L::all(hull.box[k + 3]), lo)));
-  };
-  return L::either(is_beyond(0), L::either(is_beyond(1), is_beyond(2)));
 }
 
 /// Which boxes of some vectors are beyond the hull's box, an edge or another face, or empty. If only their boxes were

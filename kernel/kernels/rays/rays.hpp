@@ -5,6 +5,7 @@
 
 #include "kernels/rays/ray_packet.hpp"
 #include "kernels/shared/word.hpp"
+#include "support/compiler.hpp"
 
 namespace shaftcull::kernel {
 
@@ -168,38 +169,52 @@ std::uint64_t meet_body(const RayPacket& packet, const RayPlane* planes, std::si
   return met;
 }
 
+/// A vector of a RayTriangle.
+enum class OfTriangle : unsigned char { normal, across_u, across_v };
+
+/// A ray and a triangle a lane: bits of those of `asked` where the ray passes through the triangle, with both ends more
+/// than `margin` from its plane. `at` is where the ray starts, relative to the triangle's point; along(a, what) is the
+/// product of `a` with a vector of the triangle.
+template <class L, class Along>
+SHAFTCULL_ALWAYS_INLINE inline std::uint64_t passing_through(const RayVectors<L>& at, const RayVectors<L>& way,
+                                                             float margin, std::uint64_t asked, Along along) noexcept {
+  using Vector = typename L::Vector;
+  const Vector start = along(at, OfTriangle::normal);
+  const Vector end = L::add(start, along(way, OfTriangle::normal));
+  const auto passes =
+      L::both(L::less(L::minimum(start, end), L::all(-margin)), L::less(L::all(margin), L::maximum(start, end)));
+  if ((L::bits(passes) & asked) == 0) return 0;
+  const Vector t = L::divide(start, L::subtract(start, end));
+  RayVectors<L> hit;
+  for (unsigned k = 0; k < 3; ++k) hit.of[k] = L::add(at.of[k], L::multiply(t, way.of[k]));
+  const Vector u = along(hit, OfTriangle::across_u);
+  const Vector v = along(hit, OfTriangle::across_v);
+  const Vector none = L::all(0.0F);
+  const auto is_inside =
+      L::both(L::both(L::less_equal(none, u), L::less_equal(none, v)), L::less_equal(L::add(u, v), L::all(1.0F)));
+  return L::bits(L::both(passes, is_inside)) & asked;
+}
+
 /// As meet_triangles() of RayKernels, of the triangles at(0) to at(count − 1).
 template <class L, class At>
 std::uint64_t meet_each(const RayPacket& packet, At at, std::size_t count, float margin, std::uint64_t asked) noexcept {
-  using Vector = typename L::Vector;
-  const Vector none = L::all(0.0F);
-  const Vector one = L::all(1.0F);
-  const Vector above = L::all(margin);
-  const Vector below = L::all(-margin);
   std::uint64_t met = 0;
   for (unsigned lane = 0; lane < packet.count; lane += L::width) {
-    const std::uint64_t lanes = asked & lanes_of<L>(lane);
+    const std::uint64_t lanes = (asked & lanes_of<L>(lane)) >> lane;
     if (lanes == 0) continue;
     const auto from = RayVectors<L>::load(packet.from, lane);
     const auto way = RayVectors<L>::load(packet.way, lane);
     std::uint64_t left = lanes;
     for (std::size_t i = 0; i < count && left != 0; ++i) {
       const RayTriangle triangle = at(i);
-      const RayVectors<L> above_point = RelativePoint<L>(packet, triangle.point).to(from);
-      const Vector start = dot<L>(above_point, triangle.normal);
-      const Vector end = L::add(start, dot<L>(way, triangle.normal));
-      const auto passes = L::both(L::less(L::minimum(start, end), below), L::less(above, L::maximum(start, end)));
-      if ((L::bits(passes) << lane & left) == 0) continue;
-      const Vector t = L::divide(start, L::subtract(start, end));
-      RayVectors<L> hit;
-      for (unsigned k = 0; k < 3; ++k) hit.of[k] = L::add(above_point.of[k], L::multiply(t, way.of[k]));
-      const Vector u = dot<L>(hit, triangle.across_u);
-      const Vector v = dot<L>(hit, triangle.across_v);
-      const auto is_inside =
-          L::both(L::both(L::less_equal(none, u), L::less_equal(none, v)), L::less_equal(L::add(u, v), one));
-      left &= ~(L::bits(L::both(passes, is_inside)) << lane);
+      const RayVectors<L> start = RelativePoint<L>(packet, triangle.point).to(from);
+      left &= ~passing_through<L>(start, way, margin, left, [&triangle](const RayVectors<L>& a, OfTriangle what) {
+        return what == OfTriangle::normal     ? dot<L>(a, triangle.normal)
+               : what == OfTriangle::across_u ? dot<L>(a, triangle.across_u)
+                                              : dot<L>(a, triangle.across_v);
+      });
     }
-    met |= lanes & ~left;
+    met |= (lanes & ~left) << lane;
   }
   return met;
 }

@@ -3,7 +3,7 @@
 ///
 /// Rays of a packet that stay together are tested side by side. Where they part, each is tested alone against the
 /// children of a node, or the triangles of a leaf. (I. Wald, C. Benthin and S. Boulos, "Getting Rid of Packets", 2008.)
-/// Both compute with the same numbers whether a ray passes through a triangle. Boxes are larger than their triangles by
+/// Both ask passing_through(), so they find the same. Boxes are larger than their triangles by
 /// the margin, which is more than what rounding does to rays.
 #pragma once
 
@@ -143,31 +143,22 @@ class TreeRays {
     return met;
   }
 
-  /// Whether a ray passes through a triangle of a leaf, as meet_each() computes it.
+  /// Whether a ray passes through a triangle of a leaf.
   [[nodiscard]] bool meets(const RayTreeLeaf& leaf, unsigned ray) const noexcept {
-    const Vector none = L::all(0.0F);
-    const Vector below = L::all(-margin_);
-    const Vector above = L::all(margin_);
     RayVectors<L> way;
     for (unsigned k = 0; k < 3; ++k) way.of[k] = L::all(packet_.way[k][ray]);
     for (unsigned lane = 0; lane < tree_lanes; lane += L::width) {
-      RayVectors<L> at;
+      RayVectors<L> start;
       for (unsigned k = 0; k < 3; ++k) {
         const Vector point = L::subtract(L::load(leaf.point[k] + lane), L::all(packet_.origin[k]));
-        at.of[k] = L::subtract(L::all(packet_.from[k][ray]), point);
+        start.of[k] = L::subtract(L::all(packet_.from[k][ray]), point);
       }
-      const Vector start = along(at, leaf.normal, lane);
-      const Vector end = L::add(start, along(way, leaf.normal, lane));
-      const auto passes = L::both(L::less(L::minimum(start, end), below), L::less(above, L::maximum(start, end)));
-      if (L::bits(passes) == 0) continue;
-      const Vector t = L::divide(start, L::subtract(start, end));
-      RayVectors<L> hit;
-      for (unsigned k = 0; k < 3; ++k) hit.of[k] = L::add(at.of[k], L::multiply(t, way.of[k]));
-      const Vector u = along(hit, leaf.across_u, lane);
-      const Vector v = along(hit, leaf.across_v, lane);
-      const auto is_inside =
-          L::both(L::both(L::less_equal(none, u), L::less_equal(none, v)), L::less_equal(L::add(u, v), L::all(1.0F)));
-      if (L::bits(L::both(passes, is_inside)) != 0) return true;
+      const auto product = [&leaf, lane](const RayVectors<L>& a, OfTriangle what) {
+        return what == OfTriangle::normal     ? along(a, leaf.normal, lane)
+               : what == OfTriangle::across_u ? along(a, leaf.across_u, lane)
+                                              : along(a, leaf.across_v, lane);
+      };
+      if (passing_through<L>(start, way, margin_, lanes_of<L>(0), product) != 0) return true;
     }
     return false;
   }
