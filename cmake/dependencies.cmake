@@ -34,6 +34,10 @@ if(SHAFTCULL_WITH_TBB)
   shaftcull_dependency(TBB TARGET TBB::tbb DEBIAN libtbb-dev
     NEEDED_BY "With SHAFTCULL_WITH_TBB=ON the library")
 endif()
+if(SHAFTCULL_WITH_EMBREE)
+  shaftcull_dependency(embree TARGET embree VERSION 3.12 BEFORE 4 DEBIAN libembree-dev
+    NEEDED_BY "With SHAFTCULL_WITH_EMBREE=ON the library")
+endif()
 if(SHAFTCULL_BUILD_BENCH)
   if(WIN32)  # for which Debian has none
     find_package(benchmark QUIET)

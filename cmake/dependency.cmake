@@ -2,18 +2,19 @@
 # How a library that this project needs is found. What is missing or broken is named when configuring, in one sentence,
 # and not by the build that would fail later.
 
-# shaftcull_dependency(NAME TARGET target NEEDED_BY what DEBIAN package… [VERSION least] [WITHOUT consequence])
+# shaftcull_dependency(NAME TARGET target NEEDED_BY what DEBIAN package… [VERSION least] [BEFORE version] [WITHOUT consequence])
 #
 # Calls find_package(NAME) and sets NAME_FOUND to whether TARGET can be linked. If it cannot, configuring ends with an
 # error that names what needs it and Debian's packages; or, where WITHOUT says what follows, goes on with a warning.
 function(shaftcull_dependency name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "TARGET;NEEDED_BY;VERSION;WITHOUT" "DEBIAN")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "TARGET;NEEDED_BY;VERSION;BEFORE;WITHOUT" "DEBIAN")
   # The least version is compared here: to find_package(), a newer major version is not a newer version.
   find_package(${name} QUIET)
   set(problem "")
   if(NOT TARGET ${arg_TARGET})
     set(problem "was not found")
-  elseif(arg_VERSION AND ${name}_VERSION VERSION_LESS arg_VERSION)
+  elseif((arg_VERSION AND ${name}_VERSION VERSION_LESS arg_VERSION)
+         OR (arg_BEFORE AND ${name}_VERSION VERSION_GREATER_EQUAL arg_BEFORE))
     set(problem "was found only in version ${${name}_VERSION} (${${name}_DIR})")
   else()
     shaftcull_missing_file(${arg_TARGET} missing)
@@ -30,6 +31,9 @@ function(shaftcull_dependency name)
   set(wanted ${name})
   if(arg_VERSION)
     string(APPEND wanted " ${arg_VERSION} or newer")
+  endif()
+  if(arg_BEFORE)
+    string(APPEND wanted " but before ${arg_BEFORE}")
   endif()
   if(arg_WITHOUT)
     message(WARNING "${arg_WITHOUT}, because ${wanted} ${problem} (Debian: ${packages}).")

@@ -20,7 +20,7 @@ set(ci_tests
   wide allocation.* calls[.]aarch64 dynamic_threads many_tree[.].* out_of_memory tree_memory visibility_memory
   "cli([.].*)?" "batch|batch[.](model|numpy|doubles|ranks|trees|sees_turned|factors|sun_ended)" budget[.].* docs "docs[.]links" "c([._].*)?" python[.].* "packages[.](conan|release|vcpkg)" hash.best
   "emulated[.][^.]*[.]isa"
-  "embedding[.](neon|strict|optimisation|refused|cross|package|recipe)")
+  "embedding[.](neon|strict|optimisation|refused|cross|package|recipe|embree)")
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=[a-z,]*address")
   # Where memory is touched. The corpus asks about visibility, too; its own area and agreement of the C interface take long, and find
   # no planted fault that these miss.

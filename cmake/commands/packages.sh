@@ -17,7 +17,7 @@ needed_for_web="CMake 3.22, Ninja, clang 19 with lld and libc++ for wasm32-wasi,
 batch_packages=(libhdf5-openmpi-dev libopenmpi-dev openmpi-bin libxxhash-dev python3-numpy python3-h5py)
 
 # Groups of packages for tests that are skipped without them. Each group is installed as a whole or not at all.
-embedding_packages=(pkg-config:pkg-config clang-14:clang++-14 clang-19:clang++-19 lld:ld.lld)
+embedding_packages=(pkg-config:pkg-config clang-14:clang++-14 clang-19:clang++-19 lld:ld.lld libembree-dev)
 libcxx_versions=(16 19)
 bits_32_packages=(g++-12-multilib)  # g++-multilib and cross compilers exclude each other
 arm64_packages=(qemu-user:qemu-aarch64 g++-aarch64-linux-gnu:aarch64-linux-gnu-g++)

@@ -43,7 +43,9 @@ struct RayOptions {
 /// one candidate, a group of a million triangles, it takes about 4 µs. Runs in parallel if there are many pairs, in the
 /// caller's task_arena. May be called from VisibilityOptions::resolve. The first call with an Occluders object prepares
 /// it: O(n log n), 100 bytes per triangle. Fractions are the same bits for any number of threads and on every
-/// instruction set. The scene may have an extent from 10⁻³⁶ to 10³⁷.
+/// instruction set. (In a build with SHAFTCULL_WITH_EMBREE, Embree traces rays through groups of more than 512
+/// triangles, and these rays may differ where they pass an edge within rounding.) The scene may have an extent from
+/// 10⁻³⁶ to 10³⁷.
 ///
 /// Throws InvalidArgument if `fractions` does not have one element per pair, if a pair or candidate is out of range, if
 /// there are no candidates (VisibilityOptions::candidates), for options out of range, and for patches that are boxes

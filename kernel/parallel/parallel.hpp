@@ -33,6 +33,9 @@ void parallel_for(std::size_t rows, std::size_t columns, FunctionRef<void(std::s
 /// The same from within the body of a parallel_for(): its threads share the work.
 void parallel_for_nested(std::size_t rows, std::size_t columns, FunctionRef<void(std::size_t, std::size_t)> body);
 
+/// Calls body(), which runs tasks of oneTBB that are not ours, apart from the caller's tasks.
+void run_apart(FunctionRef<void()> body);
+
 /// Calls work(i, slot) in parallel and then deliver(i, slot) one at a time in ascending order, for i from 0 to count.
 /// A slot, less than `slots`, belongs to i alone from its work to its delivery. Apart from the caller's tasks.
 void ordered_pipeline(std::size_t count, std::size_t slots, FunctionRef<void(std::size_t, std::size_t)> work,

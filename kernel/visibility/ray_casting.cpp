@@ -112,8 +112,8 @@ std::uint64_t RayTargets::meet(const RayPacket& packet, std::uint32_t occluder, 
       return meet_body(packet, std::span(shapes_->planes).subspan(shape.first, shape.count), asked);
     case RayShapes::Kind::tree:
       return meet_tree(packet, shape.first, asked);
-    case RayShapes::Kind::large_tree:
-      return kernels_.meet_tree(packet, shapes_->large_trees.all(), shape.first, margin_, asked);
+    case RayShapes::Kind::large_group:
+      return shapes_->large_groups.meet(kernels_, packet, shape.first, margin_, asked);
   }
   return 0;
 }

@@ -86,7 +86,7 @@ class RayShapes::Growing {
     RayTriangle unused{};
     std::erase_if(some_, [&](const TriangleVertices& vertices) { return !make_ray_triangle(vertices, unused); });
     if (some_.empty()) return {Kind::nothing, 0, 0};
-    if (some_.size() > most_in_tree) return {Kind::large_tree, shapes_.large_trees.add(some_), 1};
+    if (some_.size() > most_in_tree) return {Kind::large_group, shapes_.large_groups.add(some_), 1};
     const auto root = static_cast<std::uint32_t>(shapes_.nodes.size());
     shapes_.nodes.emplace_back();
     fill(root, some_);

@@ -8,6 +8,7 @@
 
 #include "kernels/rays/ray_packet.hpp"
 #include "kernels/siblings/siblings.hpp"
+#include "visibility/embree_groups.hpp"
 #include "visibility/ray_trees.hpp"
 
 namespace shaftcull::kernel {
@@ -15,18 +16,24 @@ namespace shaftcull::kernel {
 class PatchTree;
 struct OccluderData;
 
+#if defined(SHAFTCULL_WITH_EMBREE) && SHAFTCULL_WITH_EMBREE
+using LargeGroups = EmbreeGroups;
+#else
+using LargeGroups = RayTrees;
+#endif
+
 /// What rays meet of each occluder.
 struct RayShapes {
   enum class Kind : std::uint8_t {
-    nothing,     ///< of a hull without an interior
-    box,         ///< the occluder's box
-    body,        ///< `count` planes
-    tree,        ///< some triangles, below a node
-    large_tree,  ///< many triangles, below a node of `large_trees`
+    nothing,      ///< of a hull without an interior
+    box,          ///< the occluder's box
+    body,         ///< `count` planes
+    tree,         ///< some triangles, below a node
+    large_group,  ///< many triangles, in one of `large_groups`
   };
   struct Shape {
     Kind kind;
-    std::uint32_t first;  ///< plane or node
+    std::uint32_t first;  ///< plane, node or large group
     std::uint32_t count;
   };
   /// A box around triangles: `count` of them from `first` on, or if that is 0, those of the nodes `first` and behind
@@ -41,7 +48,7 @@ struct RayShapes {
   std::vector<RayPlane> planes;
   std::vector<RayTriangle> triangles;
   std::vector<Node> nodes;
-  RayTrees large_trees;
+  LargeGroups large_groups;
   /// What joined() to another box is that box.
   static constexpr Box nothing{{HUGE_VALF, HUGE_VALF, HUGE_VALF}, {-HUGE_VALF, -HUGE_VALF, -HUGE_VALF}};
   Box around = nothing;  ///< all occluders

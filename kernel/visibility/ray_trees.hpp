@@ -30,7 +30,11 @@ class RayTrees {
   /// Makes a tree of triangles that have areas, puts them in another order, and returns its root. O(n log n).
   std::uint32_t add(std::span<TriangleVertices> triangles);
 
-  [[nodiscard]] RayTree all() const noexcept { return {nodes_.data(), leaves_.data()}; }
+  /// As meet_tree() of RayKernels.
+  [[nodiscard]] std::uint64_t meet(const RayKernels& kernels, const RayPacket& packet, std::uint32_t root, float margin,
+                                   std::uint64_t asked) const noexcept {
+    return kernels.meet_tree(packet, {nodes_.data(), leaves_.data()}, root, margin, asked);
+  }
 
  private:
   void fill(std::uint32_t node, std::span<TriangleVertices> triangles);

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Configures a small project that asks for libraries that are missing, broken, too old or sound, and reads what is printed.
+# Configures a small project that asks for libraries that are missing, broken, too old, too new or sound, and reads what is printed.
 # Given: PROJECT_CMAKE (the folder cmake/ of the project), WORK, GENERATOR.
 cmake_minimum_required(VERSION 3.22)
 
@@ -19,6 +19,7 @@ endfunction()
 
 expect(Missing 1 "The program cannot be built without Missing 2.1 or newer, which was not found (Debian: libfirst-dev and libsecond-dev).")
 expect(Old 1 "The program cannot be built without Old 2.1 or newer, which was found only in version 2.0 (/opt/old) (Debian: libfirst-dev and")
+expect(New 1 "The program cannot be built without New 2.1 or newer but before 4, which was found only in version 4.0 (/opt/new) (Debian:")
 expect(Broken 1 "The program cannot be built without Broken 2.1 or newer, which is broken: it links /nowhere/libz.so, which does not exist (Debian:")
 expect(Optional 0 "The program has no reader, because Optional 2.1 or newer was not found (Debian: libfirst-dev and libsecond-dev).")
 expect(Optional 0 "found: FALSE")

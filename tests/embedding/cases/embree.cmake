@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: MIT
+# Rays through large groups of triangles by Embree: in a project that has the library in a folder, and in one that has it installed.
+needs(g++)
+file(WRITE ${WORK}/probe.cpp "#include <embree3/rtcore.h>\nint main() { rtcReleaseDevice(rtcNewDevice(nullptr)); }\n")
+execute_process(COMMAND g++ probe.cpp -lembree3 -o probe WORKING_DIRECTORY ${WORK} RESULT_VARIABLE result OUTPUT_QUIET ERROR_QUIET)
+if(NOT result EQUAL 0)
+  skip("there is no Embree 3 on this machine")
+endif()
+set(rays ${CMAKE_CURRENT_LIST_DIR}/../rays.cpp)
+configure(g++ -D SHAFTCULL_WITH_EMBREE=ON -D SHAFTCULL_BUILD_C=ON -D SHAFTCULL_INSTRUCTION_SETS=BEST -D "PARENT_OPTIONS=-O1 -Wall -Wextra"
+  -D CLIENT=${rays})
+build()
+answers("rays: as expected\n")
+
+set(prefix "${WORK}/a prefix")
+run(${CMAKE_COMMAND} --install "${WORK}/a parent" --prefix "${prefix}")
+run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/../package -B ${WORK}/user -G ${GENERATOR} -D CMAKE_CXX_COMPILER=g++
+  -D "CMAKE_PREFIX_PATH=${prefix}" -D CLIENT=${rays} -D LIBRARY=shaftcull)
+run(${CMAKE_COMMAND} --build ${WORK}/user)
+run(${WORK}/user/client)
+
+find_program(pkg_config NAMES pkg-config pkgconf)
+if(NOT pkg_config)
+  skip("there is no pkg-config on this machine; rays and the CMake package are as they should be")
+endif()
+file(GLOB_RECURSE pc "${prefix}/*/shaftcull.pc")
+get_filename_component(pc "${pc}" DIRECTORY)
+set(ENV{PKG_CONFIG_PATH} "${pc}")
+run(${pkg_config} --cflags --libs shaftcull)
+separate_arguments(flags UNIX_COMMAND "${output}")
+run(g++ -std=c++20 ${rays} -o ${WORK}/by_hand ${flags})
+run(${pkg_config} --cflags --libs shaftcull_c)
+separate_arguments(flags UNIX_COMMAND "${output}")
+run(gcc -std=c11 ${SHAFTCULL}/tests/consumer/main.c -o ${WORK}/by_hand_c ${flags})
+run(${WORK}/by_hand_c)
