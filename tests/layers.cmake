@@ -17,7 +17,7 @@ set(quick_tests
   architecture check_steps compilers dependencies documents "documents[.](figures|links|tuning)" exports fetches first_command headers "packages[.](licences|spdx)"
   symbols[.].* units)
 set(ci_tests
-  wide allocation.* calls[.]aarch64 dynamic_threads many_tree[.].* out_of_memory tree_memory visibility_memory
+  wide allocation.* calls[.]aarch64 dynamic_threads many_tree[.].* mesh_reader out_of_memory tree_memory visibility_memory
   "cli([.].*)?" "batch|batch[.](model|numpy|doubles|ranks|trees|sees_turned|factors|sun_ended)" budget[.].* docs "docs[.]links" "c([._].*)?" python[.].* "packages[.](conan|release|vcpkg)" hash.best
   "emulated[.][^.]*[.]isa"
   "embedding[.](neon|strict|optimisation|refused|cross|package|recipe|embree)")

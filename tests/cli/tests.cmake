@@ -57,6 +57,12 @@ if(assimp_FOUND)
     cli/sees_mesh_test.cpp
     cli/small_scenes_test.cpp)
 endif()
+if(assimp_FOUND AND NOT WIN32)
+  # It has a reader of its own in place of the program's.
+  shaftcull_test(mesh_reader cli/mesh_reader_test.cpp ${PROJECT_SOURCE_DIR}/programs/shaftcull/isolated_mesh.cpp)
+  target_include_directories(test_mesh_reader PRIVATE ${PROJECT_SOURCE_DIR}/programs/shaftcull)
+  target_link_libraries(test_mesh_reader PRIVATE fmt::fmt)
+endif()
 target_link_libraries(test_cli PRIVATE shaftcull_hashes fmt::fmt nlohmann_json::nlohmann_json ZLIB::ZLIB)
 target_compile_definitions(test_cli PRIVATE
   SHAFTCULL_CLI="${shaftcull_cli_for_tests}"
