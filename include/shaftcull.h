@@ -934,26 +934,27 @@ SHAFTCULL_API shaftcull_status shaftcull_occluders_add_triangles(shaftcull_occlu
                                                                  const uint64_t* first_triangle, uint64_t group_count,
                                                                  uint64_t* first);
 
-/// The numbers of solids that shaftcull_occluders_find_solids() found.
+/// The numbers of solids that shaftcull_occluders_add_mesh() found.
 typedef struct shaftcull_found_solids {
   uint64_t hulls;       /* convex bodies */
   uint64_t polygons;    /* flat convex polygons */
   uint64_t inner_boxes; /* boxes inside bodies that are not convex */
 } shaftcull_found_solids;
 
-/// Finds the solids that triangles form, bodies and flat polygons, so that the caller need not mark which objects are
-/// solid (find_solids() in solids.hpp). The solids found make pairs occluded, but they are not occluders: add the
-/// triangles as well, with shaftcull_occluders_add_triangles(). Solids narrower than `least_width`, 0 or more, are left
-/// out. If `bodies` is 1, closed surfaces that face outwards are bodies. If it is 0, only polygons are found; use this
-/// for triangles without a reliable orientation. Pass patches as `a` and `b` if only these are compared: then bodies
-/// may be open on or beyond one face of the box around them, as buildings without a bottom are on level ground. If both
-/// are NULL, bodies must be closed. If only `b` is NULL, all patches are those of `a`; `b` without `a` is refused.
-/// Writes the numbers of solids found to `found`, which may be NULL. O(n log n); allocates.
-SHAFTCULL_API shaftcull_status shaftcull_occluders_find_solids(shaftcull_occluders* occluders,
-                                                               const shaftcull_source* triangles, float least_width,
-                                                               uint32_t bodies, const shaftcull_patches* a,
-                                                               const shaftcull_patches* b,
-                                                               shaftcull_found_solids* found);
+/// Adds a mesh: its triangles, in groups that the library forms, and the solids that they form, bodies and flat
+/// polygons, so that the caller need not mark which objects are solid (find_solids() in solids.hpp). The solids found
+/// make pairs occluded, but only bodies that are upright boxes are occluders: they follow the groups, and their
+/// triangles are in no group. Solids narrower than `least_width`, 0 or more, are left out. If `bodies` is 1, closed
+/// surfaces that face outwards are bodies. If it is 0, only polygons are found; use this for triangles without a
+/// reliable orientation. Pass patches as `a` and `b` if only these are compared: then bodies may be open on or beyond
+/// one face of the box around them, as buildings without a bottom are on level ground. If both are NULL, bodies must be
+/// closed. If only `b` is NULL, all patches are those of `a`; `b` without `a` is refused. Writes the numbers of solids
+/// found to `found`, which may be NULL. O(n log n); allocates.
+SHAFTCULL_API shaftcull_status shaftcull_occluders_add_mesh(shaftcull_occluders* occluders,
+                                                            const shaftcull_source* triangles, float least_width,
+                                                            uint32_t bodies, const shaftcull_patches* a,
+                                                            const shaftcull_patches* b, shaftcull_found_solids* found,
+                                                            uint64_t* first);
 
 /// One occluder. The pointer is valid until occluders are added or freed.
 typedef struct shaftcull_occluder_info {

@@ -265,9 +265,10 @@ shaftcull_status shaftcull_occluders_add_triangles(shaftcull_occluders* occluder
   });
 }
 
-shaftcull_status shaftcull_occluders_find_solids(shaftcull_occluders* occluders, const shaftcull_source* triangles,
-                                                 float least_width, uint32_t bodies, const shaftcull_patches* a,
-                                                 const shaftcull_patches* b, shaftcull_found_solids* found) {
+shaftcull_status shaftcull_occluders_add_mesh(shaftcull_occluders* occluders, const shaftcull_source* triangles,
+                                              float least_width, uint32_t bodies, const shaftcull_patches* a,
+                                              const shaftcull_patches* b, shaftcull_found_solids* found,
+                                              uint64_t* first) {
   return guarded([&] {
     Occluders& all = given(occluders, "occluders").all;
     shaftcull::SolidSearch search{.least_width = least_width, .bodies = as_bool(bodies, "bodies")};
@@ -275,8 +276,9 @@ shaftcull_status shaftcull_occluders_find_solids(shaftcull_occluders* occluders,
       search.region = shaftcull::joined(given(a, "a").set.box(), (b == nullptr ? a : b)->set.box());
     }
     use_triangles(triangles, [&](const shaftcull::TriangleView& view) {
-      const shaftcull::FoundSolids solids = shaftcull::find_solids(view, search);
-      all.add_found(solids);
+      shaftcull::FoundSolids solids;
+      const std::size_t number = all.add_mesh(view, search, &solids);
+      if (first != nullptr) *first = number;
       if (found != nullptr) *found = {solids.hulls(), solids.polygons(), solids.inner_boxes.size()};
     });
   });

@@ -197,10 +197,10 @@ class SHAFTCULL_EXPORT Occluders {
   void add_found(const FoundSolids& found);
   /// Adds a mesh: its triangles in groups, as add_triangles() forms them, and the solids found in them. Bodies that are
   /// upright boxes become solid boxes, in place of the triangles that lie on them (take_boxes()); these triangles are
-  /// in no occluder. The groups come first, then the boxes. Errors and cost are those of find_solids() and
-  /// add_triangles().
-  std::size_t add_mesh(const TriangleView& triangles, const SolidSearch& search = {});
-  std::size_t add_mesh(const MeshView& mesh, const SolidSearch& search = {});
+  /// in no occluder. The groups come first, then the boxes. Writes the result of find_solids() to `found`, if it is not
+  /// null. Errors and cost are those of find_solids() and add_triangles().
+  std::size_t add_mesh(const TriangleView& triangles, const SolidSearch& search = {}, FoundSolids* found = nullptr);
+  std::size_t add_mesh(const MeshView& mesh, const SolidSearch& search = {}, FoundSolids* found = nullptr);
 
   /// The number of occluders.
   [[nodiscard]] std::size_t size() const noexcept;

@@ -260,11 +260,13 @@ std::size_t Occluders::add_triangles(const TriangleView& triangles, std::span<co
   });
 }
 
-std::size_t Occluders::add_mesh(const TriangleView& triangles, const SolidSearch& search) {
+std::size_t Occluders::add_mesh(const TriangleView& triangles, const SolidSearch& search, FoundSolids* found) {
   return kernel::in_float_environment([&] {
     require_triangles(triangles);
-    FoundSolids found = find_solids(triangles, search);
-    const FoundBoxes boxes = take_boxes(found, triangles);
+    FoundSolids solids = find_solids(triangles, search);
+    FoundSolids as_found;
+    if (found != nullptr) as_found = solids;
+    const FoundBoxes boxes = take_boxes(solids, triangles);
     std::vector<std::uint32_t> numbers;
     std::vector<Triangle> others;
     for (std::uint32_t i = 0; i != triangles.count; ++i) {
@@ -280,13 +282,14 @@ std::size_t Occluders::add_mesh(const TriangleView& triangles, const SolidSearch
       addition.add(box, kernel::OccluderKind::box);
       addition.add_solid(box);
     }
-    add_found_solids(addition, found);
+    add_found_solids(addition, solids);
+    if (found != nullptr) *found = std::move(as_found);
     return addition.keep();
   });
 }
 
-std::size_t Occluders::add_mesh(const MeshView& mesh, const SolidSearch& search) {
-  return add_mesh(TriangleStream(mesh), search);
+std::size_t Occluders::add_mesh(const MeshView& mesh, const SolidSearch& search, FoundSolids* found) {
+  return add_mesh(TriangleStream(mesh), search, found);
 }
 
 std::size_t Occluders::size() const noexcept { return data_ ? data_->size() : 0; }

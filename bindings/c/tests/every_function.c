@@ -1343,11 +1343,17 @@ static void visibility(void) {
   OK(shaftcull_occluders_add_triangles(occluders, &two_faces, NULL, 0, &first));
   CHECK(first == 6 && shaftcull_occluders_count(occluders) == 7);
   shaftcull_found_solids found;
-  OK(shaftcull_occluders_find_solids(occluders, &two_faces, 0, 1, NULL, NULL, &found));
-  CHECK(found.hulls == 0 && found.polygons != 0 && found.inner_boxes == 0);
-  OK(shaftcull_occluders_find_solids(occluders, &two_faces, 1e30F, 0, a, b, NULL));
-  OK(shaftcull_occluders_find_solids(occluders, &two_faces, 0, 1, a, NULL, NULL));
-  CHECK(shaftcull_occluders_count(occluders) == 7);
+  shaftcull_occluders* meshes = NULL;
+  OK(shaftcull_occluders_create(&meshes));
+  OK(shaftcull_occluders_add_mesh(meshes, &two_faces, 0, 1, NULL, NULL, &found, &first));
+  CHECK(found.hulls == 0 && found.polygons != 0 && found.inner_boxes == 0 && first == 0);
+  const uint64_t of_mesh = shaftcull_occluders_count(meshes);
+  OK(shaftcull_occluders_add_mesh(meshes, &two_faces, 1e30F, 0, a, b, NULL, &first));
+  CHECK(first == of_mesh);
+  OK(shaftcull_occluders_add_mesh(meshes, &two_faces, 0, 1, a, NULL, NULL, NULL));
+  CHECK(of_mesh != 0 && shaftcull_occluders_count(meshes) == 3 * of_mesh);
+  shaftcull_occluders_free(meshes);
+  first = 6;
   shaftcull_occluder_info info;
   OK(shaftcull_occluders_describe(occluders, 1, &info));
   CHECK(memcmp(&info.box, &wall, sizeof wall) == 0 && info.triangle_count == 0 && info.triangles == NULL);
@@ -1365,10 +1371,11 @@ static void visibility(void) {
   REFUSED(shaftcull_occluders_add_polygons(occluders, NULL, 4, first_of_square, 1, NULL), "corners is NULL");
   REFUSED(shaftcull_occluders_add_triangles(occluders, &one_ball, NULL, 0, NULL), "takes triangles");
   REFUSED(shaftcull_occluders_add_triangles(occluders, &two_faces, NULL, 2, NULL), "first_triangle is NULL");
-  REFUSED(shaftcull_occluders_find_solids(occluders, &one_ball, 0, 1, NULL, NULL, &found), "takes triangles");
-  REFUSED(shaftcull_occluders_find_solids(occluders, &two_faces, 0, 2, NULL, NULL, &found), "bodies = 2");
-  REFUSED(shaftcull_occluders_find_solids(occluders, &two_faces, -1, 1, NULL, NULL, &found), "least_width");
-  REFUSED(shaftcull_occluders_find_solids(occluders, &two_faces, 0, 1, NULL, b, &found), "a is NULL");
+  REFUSED(shaftcull_occluders_add_mesh(NULL, &two_faces, 0, 1, NULL, NULL, &found, &first), "occluders is NULL");
+  REFUSED(shaftcull_occluders_add_mesh(occluders, &one_ball, 0, 1, NULL, NULL, &found, &first), "takes triangles");
+  REFUSED(shaftcull_occluders_add_mesh(occluders, &two_faces, 0, 2, NULL, NULL, &found, &first), "bodies = 2");
+  REFUSED(shaftcull_occluders_add_mesh(occluders, &two_faces, -1, 1, NULL, NULL, &found, &first), "least_width");
+  REFUSED(shaftcull_occluders_add_mesh(occluders, &two_faces, 0, 1, NULL, b, &found, &first), "a is NULL");
   CHECK(shaftcull_occluders_count(occluders) == 7 && first == 6); /* nothing was added */
 
   shaftcull_visibility_options options = shaftcull_default_visibility_options();

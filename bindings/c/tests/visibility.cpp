@@ -107,10 +107,10 @@ void make_scene(Random& random, Scene& scene) {
   ok(shaftcull_occluders_add_triangles(c, &triangle_source, nullptr, 0, &first));
   EXPECT_EQ(first, cpp.add_triangles(stream.view()));
   shaftcull_found_solids found;
-  ok(shaftcull_occluders_find_solids(c, &triangle_source, 0.25F, 1, scene.c.get(), scene.others_c.get(), &found));
+  ok(shaftcull_occluders_add_mesh(c, &triangle_source, 0.25F, 1, scene.c.get(), scene.others_c.get(), &found, &first));
   const Box region = joined(scene.cpp.box(), scene.others_cpp.box());
-  const FoundSolids of_mesh = find_solids(stream.view(), {.least_width = 0.25F, .region = region});
-  cpp.add_found(of_mesh);
+  FoundSolids of_mesh;
+  EXPECT_EQ(first, cpp.add_mesh(stream.view(), {.least_width = 0.25F, .region = region}, &of_mesh));
   EXPECT_EQ(found.hulls, of_mesh.hulls());
   EXPECT_EQ(found.polygons, of_mesh.polygons());
   EXPECT_EQ(found.inner_boxes, of_mesh.inner_boxes.size());
@@ -357,7 +357,13 @@ TEST(CVisibility, OpenBodiesAreFoundBetweenPatchesThatAreGiven) {
   const OccludersHandle occluders = made<OccludersHandle>(shaftcull_occluders_create);
   const auto hulls = [&](const shaftcull_patches* one, const shaftcull_patches* other) {
     shaftcull_found_solids found;
-    ok(shaftcull_occluders_find_solids(occluders.get(), &source, 0, 1, one, other, &found));
+    std::uint64_t first = 0;
+    ok(shaftcull_occluders_add_mesh(occluders.get(), &source, 0, 1, one, other, &found, &first));
+    // A body that is an upright box stands for its triangles.
+    const std::uint64_t added = shaftcull_occluders_count(occluders.get()) - first;
+    shaftcull_occluder_info last;
+    ok(shaftcull_occluders_describe(occluders.get(), first + added - 1, &last));
+    EXPECT_EQ(last.triangle_count == 0, found.hulls == 1);
     return found.hulls;
   };
   EXPECT_EQ(hulls(nullptr, nullptr), 0U);

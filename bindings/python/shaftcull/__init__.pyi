@@ -1110,10 +1110,11 @@ class Occluders:
     triangles, faces: a mesh, float32 (n, 3, 3), or vertices (v, 3) with faces, integers (f, 3).
     groups: integers (g + 1,): group i has triangles groups[i] to groups[i + 1]. With None, the library makes
         groups.
-    find_solids: True finds bodies, walls and floors in the triangles, which make pairs 'occluded'. These solids
-        are not occluders; `found` has their numbers. Closed surfaces must face outwards to be bodies. Pass
-        Patches instead of True if only these are compared: then bodies may be open on or beyond one face of the
-        box around them, as buildings without a bottom are on level ground.
+    find_solids: True finds bodies, walls and floors in the triangles, which make pairs 'occluded'; `found` has
+        their numbers. They are not occluders, except for bodies that are upright boxes. Without groups, these
+        follow the groups of triangles, and their own triangles are in no group. Closed surfaces must face
+        outwards to be bodies. Pass Patches instead of True if only these are compared: then bodies may be open
+        on or beyond one face of the box around them, as buildings without a bottom are on level ground.
     rounding: 'outwards' also accepts `boxes` of float64, and contains them: a pair that is clear is so as given,
         too. The other arguments are never rounded outwards, since a larger solid hides too much: use
         astype(numpy.float32).

@@ -76,14 +76,18 @@ std::size_t add_triangles(Occluders& to, const py::object& given, const Occluder
   }
   const py::gil_scoped_release release;
   const auto add = [&](const TriangleView& triangles) {
-    if (more.search && more.takes_boxes) return to.add_mesh(triangles, *more.search);
-    const std::size_t number = to.add_triangles(triangles, first);
-    if (more.search) {
-      const FoundSolids found = find_solids(triangles, *more.search);
+    if (!more.search) return to.add_triangles(triangles, first);
+    FoundSolids found;
+    std::size_t number = 0;
+    if (more.groups.is_none()) {
+      number = to.add_mesh(triangles, *more.search, &found);
+    } else {
+      found = find_solids(triangles, *more.search);
+      number = to.add_triangles(triangles, first);
       to.add_found(found);
-      holder.found = {
-          {"hulls", found.hulls()}, {"polygons", found.polygons()}, {"inner_boxes", found.inner_boxes.size()}};
     }
+    holder.found = {
+        {"hulls", found.hulls()}, {"polygons", found.polygons()}, {"inner_boxes", found.inner_boxes.size()}};
     return number;
   };
   return std::visit(
@@ -229,10 +233,11 @@ polygons: flat convex polygons without thickness: arrays as for hulls, with 3 or
 triangles, faces: a mesh, float32 (n, 3, 3), or vertices (v, 3) with faces, integers (f, 3).
 groups: integers (g + 1,): group i has triangles groups[i] to groups[i + 1]. With None, the library makes
     groups.
-find_solids: True finds bodies, walls and floors in the triangles, which make pairs 'occluded'. These solids
-    are not occluders; `found` has their numbers. Closed surfaces must face outwards to be bodies. Pass
-    Patches instead of True if only these are compared: then bodies may be open on or beyond one face of the
-    box around them, as buildings without a bottom are on level ground.
+find_solids: True finds bodies, walls and floors in the triangles, which make pairs 'occluded'; `found` has
+    their numbers. They are not occluders, except for bodies that are upright boxes. Without groups, these
+    follow the groups of triangles, and their own triangles are in no group. Closed surfaces must face
+    outwards to be bodies. Pass Patches instead of True if only these are compared: then bodies may be open
+    on or beyond one face of the box around them, as buildings without a bottom are on level ground.
 rounding: 'outwards' also accepts `boxes` of float64, and contains them: a pair that is clear is so as given,
     too. The other arguments are never rounded outwards, since a larger solid hides too much: use
     astype(numpy.float32).

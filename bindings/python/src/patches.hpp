@@ -36,7 +36,6 @@ struct OccluderArguments {
   const py::object& faces;
   const py::object& groups;
   std::optional<SolidSearch> search = std::nullopt;  ///< for solids in the triangles
-  bool takes_boxes = false;  ///< whether bodies found that are upright boxes stand for the triangles that lie in them
 };
 
 /// All occluders: of arrays, or those that shaftcull.Occluders holds. Errors name the arguments.

@@ -93,7 +93,7 @@ void add_view_factors(py::module_& module) {
         std::optional<SolidSearch> search;
         if (!triangles.is_none()) search = SolidSearch{.region = set.box()};
         const OccludersHolder between =
-            occluders_in(occluders, {nothing, nothing, nothing, triangles, faces, nothing, search, true}, exact);
+            occluders_in(occluders, {nothing, nothing, nothing, triangles, faces, nothing, search}, exact);
         ViewFactorOptions options;
         options.rays = rays;
         options.error = error;

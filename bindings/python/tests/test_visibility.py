@@ -209,7 +209,12 @@ def test_occluders_of_all_sorts():
         (sc.Patches(np.array([0, 0, -1, 9, 9, 9], np.float32)), 0),
         (sc.Patches(np.empty((0, 6), np.float32)), 0),
     ]:
-        assert sc.Occluders(**building, find_solids=find_solids).found["hulls"] == bodies
+        occluders = sc.Occluders(**building, find_solids=find_solids)
+        assert occluders.found["hulls"] == bodies
+        # A body that is an upright box stands for its triangles, unless groups are given.
+        assert len(occluders) == 1 and len(occluders.triangles(0)) == (0 if bodies else 10)
+        grouped = sc.Occluders(**building, groups=[0, 10], find_solids=find_solids)
+        assert grouped.found == occluders.found and len(grouped.triangles(0)) == 10
     with pytest.raises(TypeError):
         sc.Occluders(**building, find_solids="yes")
     assert said(planes=[1, 0, 0, 20]) == "facing_away"

@@ -618,7 +618,8 @@ export interface VisibilityScene extends RayOptions {
   tolerance?: number;
   /**
    * Whether to find solids in the triangles: bodies, and flat polygons. Bodies may be open on or beyond one face of the
-   * box around the patches, as buildings without a bottom are on level ground. Found solids are not occluders.
+   * box around the patches, as buildings without a bottom are on level ground. Found solids are not occluders, except
+   * for bodies that are upright boxes: these follow the groups of triangles, and their own triangles are in no group.
    */
   findSolids?: boolean;
   /** Whether a solid that a patch reaches into may make a pair occluded; true by default. */

@@ -54,17 +54,18 @@ function occludersOf(module, scratch, make, scene, a, b) {
   if (scene.hulls) add('shaftcull_occluders_add_solid_hulls', ...cornersOf(scratch, scene.hulls, 'hulls'));
   if (scene.polygons) add('shaftcull_occluders_add_polygons', ...cornersOf(scratch, scene.polygons, 'polygons'));
   const firstGroup = occludersCount(module, occluders);
-  if (scene.triangles) add('shaftcull_occluders_add_triangles', source('triangles', 'triangles'), 0, 0n);
   if (scene.findSolids) {
     if (!scene.triangles) throw new TypeError('findSolids looks for solids in triangles, and there are none');
-    module.call('shaftcull_occluders_find_solids', occluders, source('triangles', 'triangles'), 0, 1, a, b, 0);
+    add('shaftcull_occluders_add_mesh', source('triangles', 'triangles'), 0, 1, a, b, 0);
+  } else if (scene.triangles) {
+    add('shaftcull_occluders_add_triangles', source('triangles', 'triangles'), 0, 0n);
   }
   return {occluders, firstGroup};
 }
 
 const occludersCount = (module, occluders) => Number(module.call('shaftcull_occluders_count', occluders));
 
-/** The triangles of the scene in each occluder: those of a group, and none in others, which come first. */
+/** The triangles of the scene in each occluder: those of a group, and none in others. */
 function trianglesOf(module, scratch, {occluders, firstGroup}) {
   const none = new Uint32Array();
   return Array.from({length: occludersCount(module, occluders)}, (_, occluder) => {
