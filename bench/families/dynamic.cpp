@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// dynamic/…: frames of bounds that come, go and move, by a dynamic tree, a new tree a frame, Bullet's tree and
-/// Boost's; and what queries cost after many such frames.
+/// dynamic/…: frames of bounds that come, go and move, by a dynamic tree, a new tree per frame, and the trees of
+/// Bullet, FCL and Boost; and what queries cost after many such frames.
 ///
 /// A frame of dynamic/S/frame replaces one bound in a hundred by bounds elsewhere, moves as many others by a tenth of
 /// their size, and commits. dynamic/S/ten replaces ten and moves ten others; dynamic/S/ten_moved moves ten.
@@ -30,6 +30,9 @@
 #endif
 #ifdef SHAFTCULL_BENCH_WITH_BOOST
 #include "peers/boost_tree.hpp"
+#endif
+#ifdef SHAFTCULL_BENCH_WITH_FCL
+#include "peers/fcl.hpp"
 #endif
 
 namespace shaftcull::bench {
@@ -166,13 +169,14 @@ void add_frames(Suite& suite, const std::string& name, std::size_t count, FrameS
       options);
 }
 
-void add_peers(Suite& suite, const std::string& name, std::size_t count, FrameSize changes, const RunOptions& options) {
-#ifdef SHAFTCULL_BENCH_WITH_BULLET
+/// Frames by a tree that replaces and moves single boxes.
+template <class Tree>
+void add_peer(Suite& suite, const std::string& name, std::size_t count, FrameSize changes, const RunOptions& options) {
   suite.add(
-      name + "_bullet", "",
+      name, "",
       [=](benchmark::State& state) {
         run_frames(state, count, changes, [](std::span<const Box> boxes) {
-          return [tree = std::make_shared<BulletTree>(boxes)](const auto& after, const FrameChanges& frame) {
+          return [tree = std::make_shared<Tree>(boxes)](const auto& after, const FrameChanges& frame) {
             for (const std::uint32_t i : frame.replaced) tree->replace(i, after[i]);
             for (const std::uint32_t i : frame.moved) tree->move(i, after[i]);
             tree->end_frame();
@@ -180,6 +184,14 @@ void add_peers(Suite& suite, const std::string& name, std::size_t count, FrameSi
         });
       },
       options);
+}
+
+void add_peers(Suite& suite, const std::string& name, std::size_t count, FrameSize changes, const RunOptions& options) {
+#ifdef SHAFTCULL_BENCH_WITH_BULLET
+  add_peer<BulletTree>(suite, name + "_bullet", count, changes, options);
+#endif
+#ifdef SHAFTCULL_BENCH_WITH_FCL
+  add_peer<FclTree>(suite, name + "_fcl", count, changes, options);
 #endif
 #ifdef SHAFTCULL_BENCH_WITH_BOOST
   suite.add(

@@ -25,7 +25,7 @@ command_bench() {
   for_library
   for_bench
   # What ours is compared with; left out elsewhere if it is not there.
-  if command -v apt-get >/dev/null; then packages+=(libbullet-dev libembree-dev); fi
+  if command -v apt-get >/dev/null; then packages+=(libbullet-dev libembree-dev libfcl-dev); fi
   install_missing
   configure_and_build release -D SHAFTCULL_BUILD_BENCH=ON shaftcull_bench
   mkdir -p "$root/build/bench"
