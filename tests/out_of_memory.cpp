@@ -448,6 +448,34 @@ TYPED_TEST(DynamicOutOfMemory, CommitsAreMadeOrNot) {
   }
 }
 
+TYPED_TEST(DynamicOutOfMemory, ImagesAreWrittenAndReadOrNot) {
+  using Tree = DynamicTree<TypeParam>;
+  struct Object {
+    World<TypeParam> world{71};
+    std::vector<std::byte> image;
+    Tree read;
+  };
+  const auto make = [] {
+    Object object;
+    object.world.change({.count = 6000, .insertions = 8});
+    object.world.tree.commit();
+    object.image.resize(image_bytes(object.world.tree));
+    return object;
+  };
+  const auto write_and_read = [](Object& object) {
+    write_image(object.world.tree, object.image);
+    object.read = dynamic_tree_from_image<Tree>(object.image);
+  };
+  EXPECT_GT(fail_each_allocation(make, write_and_read,
+                                 [&](Object& object) {
+                                   EXPECT_EQ(object.read.count(), 0U);
+                                   expect_answers(object.world.tree.committed(), object.world.model);
+                                   write_and_read(object);
+                                   expect_answers(object.read.committed(), object.world.model);
+                                 }),
+            20U);
+}
+
 TYPED_TEST(DynamicOutOfMemory, ChangesAreMadeOrNot) {
   const auto make = [] {
     World<TypeParam> world(72);

@@ -166,6 +166,7 @@ class DynamicTree {
   [[nodiscard]] TreeUpkeep upkeep() const noexcept;
 
  private:
+  friend struct DynamicAccess;  // images are written from its members
   struct Writer;
   [[nodiscard]] Writer& writer();
   std::unique_ptr<Writer> writer_;  // null for a tree that was never changed

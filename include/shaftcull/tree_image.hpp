@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "shaftcull/dynamic_tree.hpp"
 #include "shaftcull/export.hpp"
 #include "shaftcull/tree.hpp"
 #include "shaftcull/triangles.hpp"
@@ -29,6 +30,25 @@ template <class Tree>
 /// library version that wrote it, and for versions that state that they read it. Keep the bounds as well.
 template <class Tree>
 SHAFTCULL_EXPORT void write_image(const Tree& tree, std::span<std::byte> image);
+
+/// The size in bytes of the image of a dynamic tree, a multiple of 64. O(1). Throws InvalidArgument if changes wait for
+/// a commit().
+template <class Bound>
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t image_bytes(const DynamicTree<Bound>& tree);
+
+/// Writes the image of a dynamic tree: its bounds, their order, ids and layers, erased ids, and the state of the
+/// upkeep. Dynamic trees with the same history of calls have the same image to the byte. O(image_bytes(tree)), in
+/// parallel. Throws as write_image() above, and InvalidArgument if changes wait for a commit(). A call that changes the
+/// tree must not run at the same time; queries and snapshots may.
+template <class Bound>
+SHAFTCULL_EXPORT void write_image(const DynamicTree<Bound>& tree, std::span<std::byte> image);
+
+/// The dynamic tree whose image this is: a copy, which may be changed. All ids are valid that were valid in the tree
+/// that was written, and no others. The same calls give the same answers, ids and order of lists as they would there.
+/// `image` may be anywhere in memory. O(bytes), in parallel. Throws InvalidArgument, with the reason, for anything but
+/// the whole image of such a tree, with the right checksum. Throws std::bad_alloc if memory runs out.
+template <class Tree>
+[[nodiscard]] SHAFTCULL_EXPORT Tree dynamic_tree_from_image(std::span<const std::byte> image);
 
 /// The checks of an image before it is used.
 enum class ImageCheck : std::uint8_t {

@@ -12,8 +12,8 @@
 #include "dynamic/change_in_place.hpp"
 #include "dynamic/commit_plan.hpp"
 #include "dynamic/members.hpp"
-#include "dynamic/nodes_of_blocks.hpp"
 #include "dynamic/sort_blocks.hpp"
+#include "dynamic/state_parts.hpp"
 #include "parallel/parallel.hpp"
 #include "tree/build.hpp"
 #include "tree/entries.hpp"
@@ -55,14 +55,12 @@ class Commit {
   }
 
  private:
-  static constexpr std::uint32_t nowhere = ~std::uint32_t{0};
-
   /// A block of the next state.
   struct Place {
     std::uint32_t number;
-    std::uint32_t from;              ///< the position that it has now, or `nowhere`
+    std::uint32_t from;              ///< the position that it has now, or `no_position`
     Shared<LeafBlock<Bound>> block;  ///< a new one, or a copy to be changed; null: the present one
-    [[nodiscard]] bool is_new() const noexcept { return from == nowhere; }
+    [[nodiscard]] bool is_new() const noexcept { return from == no_position; }
   };
 
   [[nodiscard]] static Upkeep begun(Upkeep upkeep) noexcept {
@@ -90,7 +88,7 @@ class Commit {
     }
     const BlockBoxes boxes(sorted);
     for (std::size_t b = 0; b != sorted.size(); ++b) {
-      table_.push_back({static_cast<std::uint32_t>(b + 1), nowhere, std::move(sorted[b])});
+      table_.push_back({static_cast<std::uint32_t>(b + 1), no_position, std::move(sorted[b])});
     }
     numbers_ = table_.size() + 1;
     order_table(boxes);
@@ -197,7 +195,7 @@ class Commit {
     }
     numbers_ = std::max<std::size_t>(old().position_of.size(), number_of_nothing + 1);
     for (std::size_t n = 1; n < numbers_; ++n) {
-      if (old().position_of[n] == nowhere) free.push_back(static_cast<std::uint32_t>(n));
+      if (old().position_of[n] == no_position) free.push_back(static_cast<std::uint32_t>(n));
     }
     std::sort(free.begin(), free.end(), std::greater<>());
     for (Blocks<Bound>& blocks_of_group : sorted_) {
@@ -209,7 +207,7 @@ class Commit {
           number = free.back();
           free.pop_back();
         }
-        table_.push_back({number, nowhere, std::move(block)});
+        table_.push_back({number, no_position, std::move(block)});
       }
     }
     if (!plan_.groups().empty()) {
@@ -253,17 +251,7 @@ class Commit {
     }
     is_written_.assign(table_.size(), 0);
     if (!in_place_) copy_shared_pages();
-    places_.resize(pages());
-    for (std::size_t i = 0; i != pages(); ++i) places_[i] = pages_[i]->place;
-    const std::size_t nodes = lay_out_levels(levels_, table_.size() * block_leaves);
-    levels_.nodes = BoxStream(nodes);
-    levels_.gaps = {nodes / 64, ~std::uint64_t{0}};
-    if (has_layers()) levels_.layers.nodes = {nodes, 0U};
-    blocks_.reserve(table_.size());
-    number_of_.reserve(table_.size());
-    size_of_.reserve(table_.size());
-    tables_.resize(table_.size(), has_layers());
-    position_of_.assign(numbers_, nowhere);
+    parts_.prepare(table_.size(), numbers_, std::move(pages_), has_layers());
     return next;
   }
 
@@ -293,7 +281,7 @@ class Commit {
     }
     const bool in_tasks = writer_.is_worth_tasks() || !plan_.groups().empty();
     write_each(table_.size(), in_tasks, is_written_, [this](std::size_t p) {
-      const PlaceWriter places(places_.data(), table_[p].number);
+      const PlaceWriter places(parts_.places(), table_[p].number);
       if (table_[p].is_new()) {
         write_places(*table_[p].block, places);
       } else if (plan_.is_changed(table_[p].from)) {
@@ -305,53 +293,21 @@ class Commit {
   void clear_places(std::span<const BlockStep> steps) const noexcept {
     for (const BlockStep& step : steps) {
       const Change<Bound>& change = changes_.all[step.change];
-      if (change.has_bound == 0) PlaceWriter(places_.data(), 0).clear(change.index);
-    }
-  }
-  static void write_places(const LeafBlock<Bound>& block, const PlaceWriter& places) noexcept {
-    for (std::size_t w = 0; w != block_words; ++w) {
-      for (std::uint64_t left = block.taken[w]; left != 0; left &= left - 1) {
-        const std::size_t leaf = w * fanout + static_cast<std::size_t>(std::countr_zero(left));
-        places.set(block.order()[leaf], leaf);
-      }
+      if (change.has_bound == 0) PlaceWriter(parts_.places(), 0).clear(change.index);
     }
   }
 
   /// Puts the next state together.
   void finish(DynamicState<Bound>& next) noexcept {
-    std::swap(next.pages, pages_);
-    std::swap(next.place, places_);
+    for (const Place& place : table_) {
+      parts_.add(place.block ? place.block : old().blocks[place.from], place.number);
+    }
+    parts_.move_to(next, kernels_);
     next.owns_pages = in_place_;
     next.index_end = index_end();
     next.count = plan_.count();
     next.node_size = node_size_;
     next.node_size_count = node_size_count_;
-    next.has_layers = has_layers();
-    for (std::size_t p = 0; p != table_.size(); ++p) {
-      blocks_.push_back(table_[p].block ? table_[p].block : old().blocks[table_[p].from]);
-      number_of_.push_back(table_[p].number);
-      size_of_.push_back(size_of(*blocks_[p]));
-      position_of_[table_[p].number] = static_cast<std::uint32_t>(p);
-      tables_.set(p, *blocks_[p]);
-      copy_nodes(levels_, p, *blocks_[p]);
-    }
-    position_of_[number_of_nothing] = static_cast<std::uint32_t>(table_.size());
-    tables_.set_nothing(table_.size());
-    std::swap(next.blocks, blocks_);
-    std::swap(next.number_of, number_of_);
-    std::swap(next.size_of, size_of_);
-    std::swap(next.tables, tables_);
-    std::swap(next.position_of, position_of_);
-    static_cast<TreeLevels<Bound>&>(next.parts) = std::move(levels_);
-    next.parts.blocks = {next.tables.row.data(),   next.tables.taken.data(),
-                         next.tables.order.data(), next.has_layers ? next.tables.layers.data() : nullptr,
-                         next.place.data(),        next.position_of.data()};
-    next.parts.layers.blocks = next.parts.blocks.layers;
-    next.parts.layers.is_any_in_none = true;
-    next.parts.layers.of_any = next.has_layers ? 0 : ~std::uint32_t{0};
-    next.parts.layers.of_all = next.has_layers ? 0 : ~std::uint32_t{0};
-    fit_upper(next.parts, kernels_);
-    if (next.has_layers) fit_upper_layers(next.parts);
   }
 
   const Shared<StateOf<Bound>>& old_;
@@ -373,15 +329,8 @@ class Commit {
   std::size_t numbers_ = 0;
   std::vector<std::uint8_t> is_written_;
 
-  // What the next state gets.
-  TreeLevels<Bound> levels_;
-  Blocks<Bound> blocks_;
-  std::vector<std::uint32_t> number_of_;
-  std::vector<BlockSize> size_of_;
-  std::vector<Shared<PlacePage>> pages_;
-  std::vector<std::uint32_t*> places_;  ///< of each page
-  BlockTables<Bound> tables_;
-  std::vector<std::uint32_t> position_of_;
+  std::vector<Shared<PlacePage>> pages_;  ///< of the next state
+  StateParts<Bound> parts_;
 };
 
 }  // namespace

@@ -164,6 +164,15 @@ struct DynamicAccess {
     static const kernel::TreeParts<Bound> empty;
     return snapshot.state_ == nullptr ? empty : snapshot.state_->parts;
   }
+  /// Null for a tree that was never changed.
+  template <class Bound>
+  [[nodiscard]] static auto& writer(DynamicTree<Bound>& tree) noexcept {
+    return tree.writer_;
+  }
+  template <class Bound>
+  [[nodiscard]] static const auto& writer(const DynamicTree<Bound>& tree) noexcept {
+    return tree.writer_;
+  }
   /// Null without bounds.
   template <class Bound>
   [[nodiscard]] static State<Bound>* state(const TreeSnapshot<Bound>& snapshot) noexcept {

@@ -1,41 +1,26 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <array>
-#include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <limits>
 #include <string>
 #include <type_traits>
 
-#include "parallel/parallel.hpp"
 #include "shaftcull/error.hpp"
 #include "shaftcull/tree_image.hpp"
 #include "streams/stream_access.hpp"
 #include "support/arguments.hpp"
-#include "support/checksum.hpp"
 #include "support/fail.hpp"
-#include "support/index_range.hpp"
-#include "support/text.hpp"
+#include "tree/image_header.hpp"
 #include "tree/tree_access.hpp"
 #include "tree/triangle_parts.hpp"
 
 namespace shaftcull::kernel {
 namespace {
 
-constexpr std::size_t line = 64;
-
-/// What an image begins with. Behind it are sections, each of which begins a line: what a tree holds, in the order of
-/// for_sections().
-struct ImageHeader {
-  std::array<char, 16> name;
-  std::uint32_t format;
-  std::uint32_t byte_order;
-  std::uint32_t bound;                  ///< floats of one
-  std::uint32_t index_bytes;            ///< of one index
-  std::uint64_t bytes;                  ///< of the image
-  std::array<std::uint64_t, 2> unused;  ///< 0
-  std::uint64_t checksum;               ///< of all that follows
+/// The first two lines of an image. Its sections are what a tree holds, in the order of for_sections().
+struct TreeHeader {
+  ImageHeader image;
 
   std::uint64_t size;  ///< of bounds
   double surface_when_built;
@@ -46,32 +31,21 @@ struct ImageHeader {
   std::uint64_t chunks;  ///< of triangles; from here on only theirs
   std::uint64_t short_chunk;
   std::uint64_t missing;
-  std::uint64_t unused_too;
+  std::uint64_t unused;
 };
-static_assert(sizeof(ImageHeader) == 2 * line && offsetof(ImageHeader, size) == line);
-static_assert(std::is_trivially_copyable_v<ImageHeader>);
+static_assert(sizeof(TreeHeader) == 2 * image_line && offsetof(TreeHeader, size) == image_line);
+static_assert(std::is_trivially_copyable_v<TreeHeader>);
 
-constexpr std::array<char, 16> image_name{'s', 'h', 'a', 'f', 't', 'c', 'u', 'l', 'l', ' ', 't', 'r', 'e', 'e'};
-constexpr std::uint32_t image_format = 1;
-constexpr std::uint32_t native_order = 0x01020304;
-
-constexpr std::size_t in_lines(std::size_t bytes) noexcept { return (bytes + line - 1) / line * line; }
-
-/// What images call a kind of tree, and messages.
 template <class Tree>
-struct ImageKind;
+struct KindOf;
 template <class Bound>
-struct ImageKind<BoundsTree<Bound>> {
-  static constexpr std::uint32_t bound = static_cast<std::uint32_t>(rows_of<Bound>);
+struct KindOf<BoundsTree<Bound>> {
+  static constexpr ImageKind kind{rows_of<Bound>};
 };
 template <>
-struct ImageKind<TriangleTree> {
-  static constexpr std::uint32_t bound = 9;
+struct KindOf<TriangleTree> {
+  static constexpr ImageKind kind = ImageKind::triangles;
 };
-
-std::string kind_text(std::uint32_t bound) {
-  return bound == 6 ? "boxes" : bound == 4 ? "spheres" : bound == 9 ? "triangles" : "unknown bounds";
-}
 
 /// Calls use(bytes) for everything that a tree holds in memory.
 template <class Bound, class Use>
@@ -107,7 +81,7 @@ const TriangleParts* parts_of(const TriangleTree& tree) {
 }
 
 template <class Bound>
-void describe(const TreeParts<Bound>& parts, ImageHeader& header) noexcept {
+void describe(const TreeParts<Bound>& parts, TreeHeader& header) noexcept {
   header.size = parts.size;
   header.surface_when_built = parts.surface_when_built;
   header.has_layers = parts.layers.exist() ? 1 : 0;
@@ -115,23 +89,11 @@ void describe(const TreeParts<Bound>& parts, ImageHeader& header) noexcept {
   header.layers_of_all = parts.layers.of_all;
   header.is_any_in_no_layer = parts.layers.is_any_in_none ? 1 : 0;
 }
-void describe(const TriangleParts& parts, ImageHeader& header) noexcept {
+void describe(const TriangleParts& parts, TreeHeader& header) noexcept {
   header.size = parts.order.size();
   header.chunks = parts.chunks.size();
   header.short_chunk = parts.short_chunk;
   header.missing = parts.missing;
-}
-
-/// Copies `from`, and zeros to the end of the line. Parallel, so that memory that nobody has touched yet comes to where
-/// threads are that will read it.
-std::byte* copy_section(std::span<const std::byte> from, std::byte* to) {
-  constexpr std::size_t piece = std::size_t{4} << 20U;
-  parallel_for(chunk_count(from.size(), piece), 1, [&](std::size_t p, std::size_t) {
-    const IndexRange range = chunk_at(from.size(), piece, p);
-    std::memcpy(to + range.first, from.data() + range.first, range.size);
-  });
-  const std::size_t padding = in_lines(from.size()) - from.size();
-  return std::fill_n(to + from.size(), padding, std::byte{0});
 }
 
 /// Reads sections, one behind the other.
@@ -162,7 +124,7 @@ class ImageReader {
 
 /// Bytes of the sections of a tree as a header describes it.
 template <class Bound>
-std::uint64_t section_bytes(const ImageHeader& header, const BoundsTree<Bound>& /*kind*/) noexcept {
+std::uint64_t section_bytes(const TreeHeader& header, const BoundsTree<Bound>& /*kind*/) noexcept {
   TreeLevels<Bound> levels;
   const std::size_t size = static_cast<std::size_t>(header.size);
   const std::size_t nodes = lay_out_levels(levels, size);
@@ -175,68 +137,51 @@ std::uint64_t section_bytes(const ImageHeader& header, const BoundsTree<Bound>& 
   }
   return bytes;
 }
-std::uint64_t section_bytes(const ImageHeader& header, const TriangleTree& /*kind*/) noexcept {
+std::uint64_t section_bytes(const TreeHeader& header, const TriangleTree& /*kind*/) noexcept {
   const std::size_t size = static_cast<std::size_t>(header.size);
-  ImageHeader chunks{};
+  TreeHeader chunks{};
   chunks.size = header.chunks;
-  return 9 * row_floats(9, size) * sizeof(float) + in_lines(size * sizeof(std::uint32_t)) + sizeof(ImageHeader) +
+  return 9 * row_floats(9, size) * sizeof(float) + in_lines(size * sizeof(std::uint32_t)) + sizeof(TreeHeader) +
          section_bytes(chunks, BoxTree());
 }
 
 /// Whether what a header says of a tree of triangles can be so.
 template <class Tree>
-bool are_chunks_possible(const ImageHeader& header) noexcept {
+bool are_chunks_possible(const TreeHeader& header) noexcept {
   if (!std::is_same_v<Tree, TriangleTree>) return true;
   constexpr std::size_t each = TriangleTree::chunk_size;
   return header.chunks == (header.size + each - 1) / each && header.short_chunk < header.chunks &&
          header.missing == header.chunks * each - header.size;
 }
 
-[[noreturn]] void refuse(const std::string& why) { kernel::fail(InvalidArgument("the image of a tree " + why)); }
-
 /// The header of an image, which may be one of such a tree.
 template <class Tree>
-ImageHeader checked_header(std::span<const std::byte> image, ImageCheck check) {
-  using Kind = ImageKind<Tree>;
+TreeHeader checked_header(std::span<const std::byte> image, ImageCheck check) {
   require_memory("image", image, "bytes");
   if (check > ImageCheck::header) {
     kernel::fail(InvalidArgument("ImageCheck " + std::to_string(static_cast<unsigned>(check)) + " is none"));
   }
-  if (reinterpret_cast<std::uintptr_t>(image.data()) % line != 0) {
-    refuse("has to begin at a multiple of 64 bytes in memory; map its file, or read it to aligned memory");
+  if (reinterpret_cast<std::uintptr_t>(image.data()) % image_line != 0) {
+    refuse_image("has to begin at a multiple of 64 bytes in memory; map its file, or read it to aligned memory");
   }
-  if (image.size() < sizeof(ImageHeader)) {
-    refuse("has " + counted(image.size(), "byte") +
-           ", fewer than any image has: " + std::to_string(sizeof(ImageHeader)));
-  }
-  ImageHeader header;
+  (void)checked_image_header(image, KindOf<Tree>::kind);
+  TreeHeader header;
   std::memcpy(&header, image.data(), sizeof header);
-  if (header.name != image_name) refuse("does not begin as one does: this is something else");
-  if (header.byte_order != native_order) refuse("was written by a machine that orders bytes otherwise");
-  if (header.format != image_format) {
-    refuse("has format " + std::to_string(header.format) + "; this version reads " + std::to_string(image_format));
-  }
-  if (header.bound != Kind::bound) refuse("is of " + kind_text(header.bound) + ", not of " + kind_text(Kind::bound));
-  if (header.bytes != image.size()) {
-    refuse("has " + std::to_string(header.bytes) + " bytes; here are " + std::to_string(image.size()));
-  }
-  if (header.index_bytes != sizeof(std::uint32_t)) {
-    refuse("has indices of " + std::to_string(header.index_bytes) + " bytes; this version reads those of 4");
-  }
   constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
   const bool is_possible = header.size == 0 || (header.size <= most && are_chunks_possible<Tree>(header));
   const std::uint64_t sections = header.size == 0 || !is_possible ? 0 : section_bytes(header, Tree());
-  if (!is_possible || sizeof header + sections != header.bytes) {
-    refuse("is damaged: " + std::to_string(header.size) + " bounds do not take " + std::to_string(header.bytes) +
-           " bytes");
+  if (!is_possible || sizeof header + sections != header.image.bytes) {
+    refuse_image("is damaged: " + std::to_string(header.size) + " bounds do not take " +
+                 std::to_string(header.image.bytes) + " bytes");
   }
-  const bool is_changed = check == ImageCheck::all && checksum(image.subspan(line)) != header.checksum;
-  if (is_changed || header.unused != ImageHeader().unused) refuse("is damaged: its checksum is another");
+  if (check == ImageCheck::all && !is_sealed(image, header.image)) {
+    refuse_image("is damaged: its checksum is another");
+  }
   return header;
 }
 
 template <class Bound>
-BoundsTree<Bound> tree_in(const ImageHeader& header, std::span<const std::byte> image,
+BoundsTree<Bound> tree_in(const TreeHeader& header, std::span<const std::byte> image,
                           const BoundsTree<Bound>& /*kind*/) {
   ImageReader reader(image.data() + sizeof header);
   TreeParts<Bound> parts;
@@ -258,7 +203,7 @@ BoundsTree<Bound> tree_in(const ImageHeader& header, std::span<const std::byte> 
   return TreeAccess::tree_of(std::move(parts));
 }
 
-TriangleTree tree_in(const ImageHeader& header, std::span<const std::byte> image, const TriangleTree& /*kind*/) {
+TriangleTree tree_in(const TreeHeader& header, std::span<const std::byte> image, const TriangleTree& /*kind*/) {
   ImageReader reader(image.data() + sizeof header);
   TriangleParts parts;
   const std::size_t size = static_cast<std::size_t>(header.size);
@@ -266,8 +211,8 @@ TriangleTree tree_in(const ImageHeader& header, std::span<const std::byte> image
   parts.order = reader.array<std::uint32_t>(size);
   const std::span<const std::byte> rest =
       image.last(static_cast<std::size_t>(image.data() + image.size() - reader.next()));
-  const ImageHeader chunks = checked_header<BoxTree>(rest, ImageCheck::header);
-  if (chunks.size != header.chunks) refuse("is damaged: it has boxes of other triangles");
+  const TreeHeader chunks = checked_header<BoxTree>(rest, ImageCheck::header);
+  if (chunks.size != header.chunks) refuse_image("is damaged: it has boxes of other triangles");
   parts.chunks = tree_in(chunks, rest, BoxTree());
   parts.short_chunk = static_cast<std::size_t>(header.short_chunk);
   parts.missing = static_cast<std::size_t>(header.missing);
@@ -281,7 +226,7 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 
 template <class Tree>
 std::size_t image_bytes(const Tree& tree) {
-  std::size_t bytes = sizeof(kernel::ImageHeader);
+  std::size_t bytes = sizeof(kernel::TreeHeader);
   const auto* const parts = kernel::parts_of(tree);
   if (parts == nullptr) return bytes;
   kernel::for_sections(*parts, [&](std::span<const std::byte> section) { bytes += kernel::in_lines(section.size()); });
@@ -293,18 +238,9 @@ template <class Tree>
 void write_image(const Tree& tree, std::span<std::byte> image) {
   const std::size_t bytes = image_bytes(tree);
   const auto* const parts = kernel::parts_of(tree);
-  kernel::require_memory("image", image, "bytes");
-  if (image.size() != bytes) {
-    kernel::fail(InvalidArgument("image has " + kernel::counted(image.size(), "byte") + "; that of this tree takes " +
-                                 std::to_string(bytes)));
-  }
-  kernel::ImageHeader header{};
-  header.name = kernel::image_name;
-  header.format = kernel::image_format;
-  header.byte_order = kernel::native_order;
-  header.bound = kernel::ImageKind<Tree>::bound;
-  header.index_bytes = sizeof(std::uint32_t);
-  header.bytes = bytes;
+  kernel::require_image_size(image, bytes);
+  kernel::TreeHeader header{};
+  header.image = kernel::image_header(kernel::KindOf<Tree>::kind, bytes);
   std::byte* next = image.data() + sizeof header;
   if (parts != nullptr) {
     kernel::for_sections(*parts, [&](std::span<const std::byte> section) {
@@ -318,13 +254,12 @@ void write_image(const Tree& tree, std::span<std::byte> image) {
     }
   }
   std::memcpy(image.data(), &header, sizeof header);
-  header.checksum = kernel::checksum(image.subspan(kernel::line));
-  std::memcpy(image.data(), &header, sizeof header);
+  kernel::seal_image(image);
 }
 
 template <class Tree>
 TreeInImage<Tree>::TreeInImage(std::span<const std::byte> image, ImageCheck check) {
-  const kernel::ImageHeader header = kernel::checked_header<Tree>(image, check);
+  const kernel::TreeHeader header = kernel::checked_header<Tree>(image, check);
   if (header.size != 0) tree_ = kernel::tree_in(header, image, Tree());
 }
 

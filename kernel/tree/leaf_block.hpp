@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <type_traits>
 
 #include "kernels/kernel_table.hpp"
@@ -88,6 +89,9 @@ class LeafBlock : public Ownable {
   [[nodiscard]] std::uint32_t* order() const noexcept { return order_.get(); }
   /// Null if all bounds are in all layers.
   [[nodiscard]] std::uint32_t* layers() const noexcept { return layers_.get(); }
+
+  /// All rows of all leaves.
+  [[nodiscard]] std::span<float> floats() const noexcept { return {memory_.get(), rows * block_leaves}; }
 
   [[nodiscard]] bool is_full(std::size_t word) const noexcept { return taken[word] == ~std::uint64_t{0}; }
   /// A free leaf of a word that is not full.

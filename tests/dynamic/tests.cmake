@@ -4,6 +4,7 @@
 shaftcull_test(dynamic EVERY_ISA
   dynamic/agreement.cpp
   dynamic/errors.cpp
+  dynamic/images.cpp
   dynamic/upkeep.cpp)
 
 if(NOT shaftcull_wasm)
