@@ -19,7 +19,8 @@ LightRays::LightRays(const PatchTree& patches, const OccluderData& occluders, fl
 
 bool LightRays::faces(std::uint32_t patch, const Vec3& light) const noexcept {
   const RayPatch& of = patches_->patches[patch];
-  return of.normal[0] * light[0] + of.normal[1] * light[1] + of.normal[2] * light[2] > of.least_rise;
+  const float rise = of.normal[0] * light[0] + of.normal[1] * light[1] + of.normal[2] * light[2];
+  return rise > of.least_rise && rise != 0;  // 0 of what has no area, too
 }
 
 void LightRays::cast_packet(std::uint32_t patch, const Vec3& light, const RayShift& shift,

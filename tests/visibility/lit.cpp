@@ -53,9 +53,11 @@ TEST(LitFraction, IsAllInTheOpenAndNoneOfWhatFacesAway) {
   EXPECT_EQ(lit_of(patch, aside, {{0, 0, 1}}), (std::vector<float>{1}));
   EXPECT_EQ(lit_of(patch, {}, {}), std::vector<float>());
   // A patch without an area sees on no side, nor does one towards a light in its plane.
-  const PatchSet line(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {1, 0, 0}}, std::vector<std::size_t>{0, 3});
-  EXPECT_EQ(lit_of(line, {}, {{0, 0, 1}}), (std::vector<float>{0}));
-  EXPECT_EQ(lit_of(patch, {}, {{1, 0, 0}}), (std::vector<float>{0}));
+  for (const PatchSides sides : {PatchSides::front, PatchSides::both}) {
+    const PatchSet line(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {1, 0, 0}}, std::vector<std::size_t>{0, 3}, sides);
+    EXPECT_EQ(lit_of(line, {}, {{0, 0, 1}}), (std::vector<float>{0}));
+    EXPECT_EQ(lit_of(square_at({0, 0, 0}, sides), {}, {{1, 0, 0}}), (std::vector<float>{0}));
+  }
   EXPECT_EQ(lit_of(PatchSet(), aside, lights), std::vector<float>());
 }
 
