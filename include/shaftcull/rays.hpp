@@ -44,8 +44,8 @@ struct RayOptions {
 /// caller's task_arena. May be called from VisibilityOptions::resolve. The first call with an Occluders object prepares
 /// it: O(n log n), 100 bytes per triangle. Fractions are the same bits for any number of threads and on every
 /// instruction set. (In a build with SHAFTCULL_WITH_EMBREE, Embree traces rays through groups of more than 512
-/// triangles, and these rays may differ where they pass an edge within rounding.) The scene may have an extent from
-/// 10⁻³⁶ to 10³⁷.
+/// triangles. These rays may differ where they pass an edge within rounding of the coordinates. docs/tuning.md lists
+/// what else differs.) The scene may have an extent from 10⁻³⁶ to 10³⁷.
 ///
 /// Throws InvalidArgument if `fractions` does not have one element per pair, if a pair or candidate is out of range, if
 /// there are no candidates (VisibilityOptions::candidates), for options out of range, and for patches that are boxes
@@ -66,8 +66,7 @@ SHAFTCULL_EXPORT void visible_fractions(const PatchSet& a, const PatchSet& b, co
 /// With 64 rays, the error is about 0.02 where half of the patch is lit. About 0.5 µs per patch and light of a city,
 /// with 64 rays. Prepares patches and occluders as visible_fractions() does, and builds a tree of the occluders in each
 /// call: O(n log n), 30 bytes per occluder. Runs in parallel over patches, in the caller's task_arena. Fractions are
-/// the same bits for any number of threads and on every instruction set. The scene may have an extent from 10⁻³⁶ to
-/// 10³⁷.
+/// the same bits as those of visible_fractions() are. The scene may have an extent from 10⁻³⁶ to 10³⁷.
 ///
 /// Throws InvalidArgument for a direction that is 0 or not finite, if `fractions` does not have one element for each
 /// patch and direction, for options out of range, and for patches that are boxes with an interior. Throws

@@ -92,13 +92,6 @@ void parallel_for_nested(std::size_t rows, std::size_t columns, Body body) {
   run_loop(rows, columns, body);
 }
 
-void run_apart(FunctionRef<void()> body) {
-  apart_from_caller([&](tbb::task_group_context& context) {
-    run_loop(
-        1, 1, [&](std::size_t, std::size_t) { body(); }, context);
-  });
-}
-
 void ordered_pipeline(std::size_t count, std::size_t slots, Body work, Body deliver) {
   if (Executor* const executor = executor_in_use()) return run_in_order_on(*executor, count, slots, work, deliver);
   HappensBefore started;
@@ -175,6 +168,17 @@ void ordered_pipeline(std::size_t count, std::size_t slots, FunctionRef<void(std
 }
 
 #endif
+
+void run_apart(FunctionRef<void()> body) {
+#if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
+  apart_from_caller([&](tbb::task_group_context& context) {
+    run_loop(
+        1, 1, [&](std::size_t, std::size_t) { body(); }, context);
+  });
+#else
+  in_float_environment([&] { body(); });
+#endif
+}
 
 #ifdef SHAFTCULL_MEMORY_OF_TBB
 

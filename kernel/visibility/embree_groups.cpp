@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <new>
 
 #include "parallel/parallel.hpp"
@@ -17,54 +18,81 @@ namespace {
 
 constexpr unsigned packet_width = 16;
 
-/// What let_through() finds behind Embree's own part.
+/// The part of a ray's way that is in the box around a group: from `first` to `first + length`, of 0 to 1.
+struct RayPart {
+  double first;
+  double length;
+};
+
+/// What let_through() finds behind Embree's own part. Embree's rays are these parts; their numbers are those here.
 struct Context {
   RTCIntersectContext embree;
-  float margin;
+  RayPart part[packet_width];
+  double margin;
 };
 
 /// Rejects what rays meet where one of their ends is within the margin of the triangle's plane.
 void let_through(const RTCFilterFunctionNArguments* met) {
-  const double margin = reinterpret_cast<const Context*>(met->context)->margin;
+  const auto& context = *reinterpret_cast<const Context*>(met->context);
   for (unsigned i = 0; i != met->N; ++i) {
     if (met->valid[i] == 0) continue;
+    const RayPart& part = context.part[RTCRayN_id(met->ray, met->N, i)];
     const double normal[3] = {RTCHitN_Ng_x(met->hit, met->N, i), RTCHitN_Ng_y(met->hit, met->N, i),
                               RTCHitN_Ng_z(met->hit, met->N, i)};
     const double way[3] = {RTCRayN_dir_x(met->ray, met->N, i), RTCRayN_dir_y(met->ray, met->N, i),
                            RTCRayN_dir_z(met->ray, met->N, i)};
     double square = 0;
-    double rise = 0;
+    double rise = 0;  // of the part, times the normal's length
     for (std::size_t k = 0; k != 3; ++k) {
       square += normal[k] * normal[k];
       rise += normal[k] * way[k];
     }
-    const double at = RTCRayN_tfar(met->ray, met->N, i);
-    const double nearer = std::min(at, 1 - at) * std::fabs(rise);  // times the normal's length
-    if (!(nearer > margin * std::sqrt(square))) met->valid[i] = 0;
+    const double at = part.first + RTCRayN_tfar(met->ray, met->N, i) * part.length;
+    const double nearer = std::min(at, 1 - at) * std::fabs(rise) / part.length;
+    if (!(nearer > context.margin * std::sqrt(square))) met->valid[i] = 0;
   }
 }
 
-/// What Embree refuses is memory, for its input is right.
+/// What Embree refuses is memory, since its input is right.
 void require_memory(bool there_is_enough) {
   if (!there_is_enough) fail(std::bad_alloc());
 }
 
-void put_rays(const RayPacket& packet, unsigned first, const Vec3& middle, float scale, RTCRay16& rays) noexcept {
-  float* const from[3] = {rays.org_x, rays.org_y, rays.org_z};
-  float* const way[3] = {rays.dir_x, rays.dir_y, rays.dir_z};
+/// Puts the part of a ray that is in a box into Embree's packet. Embree overflows where rays are 10¹⁸ times as long as
+/// what they meet. Returns whether there is such a part.
+bool put_ray(const RayPacket& packet, unsigned ray, const Box& box, float scale, unsigned i, RTCRay16& rays,
+             RayPart& part) noexcept {
+  double from[3];
+  double way[3];
+  double first = 0;
+  double last = 1;
   for (std::size_t k = 0; k != 3; ++k) {
-    const float origin = packet.origin[k] - middle[k];
-    for (unsigned i = 0; i != packet_width; ++i) {
-      from[k][i] = (packet.from[k][first + i] + origin) * scale;
-      way[k][i] = packet.way[k][first + i] * scale;
+    from[k] = double{packet.origin[k]} + packet.from[k][ray];
+    way[k] = packet.way[k][ray];
+    if (way[k] == 0) {
+      if (from[k] < box.lo[k] || from[k] > box.hi[k]) return false;
+      continue;
     }
+    const double to_lo = (box.lo[k] - from[k]) / way[k];
+    const double to_hi = (box.hi[k] - from[k]) / way[k];
+    first = std::max(first, std::min(to_lo, to_hi));
+    last = std::min(last, std::max(to_lo, to_hi));
   }
-  std::fill_n(rays.tnear, packet_width, 0.0F);
-  std::fill_n(rays.tfar, packet_width, 1.0F);
-  std::fill_n(rays.time, packet_width, 0.0F);
-  std::fill_n(rays.mask, packet_width, ~0U);
-  std::fill_n(rays.id, packet_width, 0U);
-  std::fill_n(rays.flags, packet_width, 0U);
+  if (!(first < last)) return false;
+  part = {first, last - first};
+  float* const org[3] = {rays.org_x, rays.org_y, rays.org_z};
+  float* const dir[3] = {rays.dir_x, rays.dir_y, rays.dir_z};
+  for (std::size_t k = 0; k != 3; ++k) {
+    org[k][i] = static_cast<float>((from[k] + first * way[k]) * scale);
+    dir[k][i] = static_cast<float>(part.length * way[k] * scale);
+  }
+  rays.tnear[i] = 0;
+  rays.tfar[i] = 1;
+  rays.time[i] = 0;
+  rays.mask[i] = ~0U;
+  rays.id[i] = i;
+  rays.flags[i] = 0;
+  return true;
 }
 
 }  // namespace
@@ -78,12 +106,19 @@ std::uint32_t EmbreeGroups::add(std::span<TriangleVertices> triangles) {
   require_memory(device_ != nullptr);
   const BoxRow box = box_around(triangles);
   Group& group = groups_.emplace_back();
-  float half = 0;
+  float largest = 0;  // coordinate
+  float extent = 0;
   for (std::size_t k = 0; k != 3; ++k) {
-    group.middle[k] = box.face[k] / 2 + box.face[k + 3] / 2;
-    half = std::max({half, group.middle[k] - box.face[k], box.face[k + 3] - group.middle[k]});
+    largest = std::max({largest, std::fabs(box.face[k]), std::fabs(box.face[k + 3])});
+    extent = std::max(extent, box.face[k + 3] - box.face[k]);
   }
-  group.scale = std::ldexp(1.0F, std::clamp(-std::ilogb(half) - 1, -126, 126));
+  // So that a flat group has parts of rays in it, too.
+  const float around = std::max(extent / 64, 4 * std::numeric_limits<float>::epsilon() * largest);
+  for (std::size_t k = 0; k != 3; ++k) {
+    group.box.lo[k] = box.face[k] - around;
+    group.box.hi[k] = box.face[k + 3] + around;
+  }
+  group.scale = std::ldexp(1.0F, std::clamp(-std::ilogb(largest) - 1, -126, 126));
 
   group.scene.reset(rtcNewScene(device_.get()));
   require_memory(group.scene != nullptr);
@@ -100,7 +135,7 @@ std::uint32_t EmbreeGroups::add(std::span<TriangleVertices> triangles) {
   require_memory(vertices != nullptr && indices != nullptr);
   for (std::size_t i = 0; i != 3 * count; ++i) {
     const Vec3& vertex = triangles[i / 3][i % 3];
-    for (std::size_t k = 0; k != 3; ++k) vertices[3 * i + k] = (vertex[k] - group.middle[k]) * group.scale;
+    for (std::size_t k = 0; k != 3; ++k) vertices[3 * i + k] = vertex[k] * group.scale;
     indices[i] = static_cast<unsigned>(i);
   }
   rtcCommitGeometry(geometry);
@@ -119,18 +154,24 @@ std::uint64_t EmbreeGroups::meet(const RayKernels& /*unused*/, const RayPacket& 
   rtcInitIntersectContext(&context.embree);
   context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   context.embree.filter = let_through;
-  context.margin = margin * of.scale;
+  context.margin = double{margin} * of.scale;
   std::uint64_t met = 0;
   for (unsigned first = 0; first < packet.count; first += packet_width) {
     const auto some = static_cast<unsigned>(asked >> first & ((1U << packet_width) - 1));
     if (some == 0) continue;
-    alignas(64) RTCRay16 rays;
-    alignas(64) int valid[packet_width];
-    put_rays(packet, first, of.middle, of.scale, rays);
-    for (unsigned i = 0; i != packet_width; ++i) valid[i] = (some >> i & 1U) != 0 ? -1 : 0;
-    rtcOccluded16(valid, of.scene.get(), &context.embree, &rays);
+    alignas(64) RTCRay16 rays{};
+    alignas(64) int valid[packet_width] = {};
+    unsigned reaching = 0;
     for (unsigned left = some; left != 0; left &= left - 1) {
       const auto i = static_cast<unsigned>(std::countr_zero(left));
+      if (!put_ray(packet, first + i, of.box, of.scale, i, rays, context.part[i])) continue;
+      valid[i] = -1;
+      reaching |= 1U << i;
+    }
+    if (reaching == 0) continue;
+    rtcOccluded16(valid, of.scene.get(), &context.embree, &rays);
+    for (; reaching != 0; reaching &= reaching - 1) {
+      const auto i = static_cast<unsigned>(std::countr_zero(reaching));
       if (rays.tfar[i] < 0) met |= std::uint64_t{1} << (first + i);
     }
   }

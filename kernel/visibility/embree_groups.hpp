@@ -30,10 +30,10 @@ class EmbreeGroups {
     void operator()(RTCDeviceTy* device) const noexcept;
     void operator()(RTCSceneTy* scene) const noexcept;
   };
-  /// Triangles are moved and scaled, so that none is further than 1 from 0: Embree takes squares of coordinates.
+  /// Triangles are scaled, so that no coordinate is larger than 1: Embree takes squares of them.
   struct Group {
     std::unique_ptr<RTCSceneTy, Release> scene;
-    Vec3 middle;
+    Box box;      ///< larger than its triangles
     float scale;  ///< a power of 2
   };
 

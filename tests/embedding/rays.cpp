@@ -162,7 +162,7 @@ void compare(std::vector<Triangle> triangles, const Place& place, Random& random
       if (right[i] > 0 && right[i] < 1) ++partly;
     }
     expect(most <= 2.0 / 256, "Embree's rays of a pair differ", most);
-    expect(apart <= 1e-4 * static_cast<double>(right.size()), "Embree's rays differ", apart);
+    expect(apart <= 2e-4 * static_cast<double>(right.size()), "Embree's rays differ", apart);
     expect(partly > 20, "few pairs are partly visible", static_cast<double>(partly));
   }
 }
@@ -194,6 +194,39 @@ void look_from_a_floor() {
   expect(seen[2] == 0, "the floor lets rays through", seen[2]);
 }
 
+/// Embree's numbers overflow where a group is tiny beside rays.
+void look_past_tiny_groups(Random& random) {
+  for (const float size : {1e-15F, 1e-17F, 1e-20F, 1e-25F, 1e-35F}) {
+    std::vector<Triangle> triangles = soup(800, random);
+    for (Triangle& triangle : triangles) {
+      for (Vec3& vertex : triangle.vertex) vertex = {vertex[0] * size, vertex[1] * size, vertex[2] * size + 0.5F};
+    }
+    const std::vector<float> seen = fractions(squares({1, 0}, random), in_groups_of(triangles.size(), triangles), {});
+    expect(*std::min_element(seen.begin(), seen.end()) == 1, "a group that is tiny hides something", size);
+  }
+}
+
+/// A wall of small triangles, in one group with a triangle far away.
+void keep_details_of_large_groups() {
+  for (const float far : {10.0F, 1e3F, 1e5F, 1e6F}) {
+    std::vector<Triangle> triangles = sheet(20);
+    for (Triangle& triangle : triangles) {
+      for (Vec3& vertex : triangle.vertex) vertex = {0.002F * (vertex[0] - 0.5F), 0.002F * (vertex[1] - 0.5F), 0};
+    }
+    triangles.push_back({{Vec3{far, far, 0}, {far + 1, far, 0}, {far, far + 1, 1}}});
+    std::vector<Vec3> corners;
+    for (const float z : {-0.001F, 0.001F}) {
+      for (const Vec3& corner : {Vec3{-1, -1, z}, Vec3{1, -1, z}, Vec3{1, 1, z}, Vec3{-1, 1, z}}) {
+        corners.push_back({0.0005F * corner[0], 0.0005F * corner[1], z});
+      }
+    }
+    const shaftcull::PatchSet patches(corners, std::vector<std::size_t>{0, 4, 8}, shaftcull::PatchSides::both);
+    const std::vector<float> by_us = fractions(patches, in_groups_of(small_group, triangles), {});
+    const std::vector<float> by_embree = fractions(patches, in_groups_of(triangles.size(), triangles), {});
+    expect(std::fabs(by_us[0] - by_embree[0]) < 0.02F, "a detail of a large group is lost", far);
+  }
+}
+
 /// The tree is built by the first of some threads.
 void ask_on_threads() {
   Random random;
@@ -218,6 +251,8 @@ int main() {
     compare(soup(3000, random), place, random);
   }
   close_sheets();
+  look_past_tiny_groups(random);
+  keep_details_of_large_groups();
   look_from_a_floor();
   ask_on_threads();
   std::printf(faults == 0 ? "rays: as expected\n" : "%d faults\n", faults);
