@@ -2,34 +2,18 @@
 // "What is in the way?": a scene, a volume of two boxes, and the library's answers, asked anew whenever they change.
 import {ask, measure} from './asking.js';
 import {cube, inThrees, joined, middleOf} from './boxes.js';
-import {city} from './city.js';
 import {CullPicture} from './cull_picture.js';
 import {Dragging} from './dragging.js';
+import {OWN_SCENES} from './own_scenes.js';
 import {steps} from './planes.js';
 import {Scene} from './scenes.js';
-import {sphereflake} from './sphereflake.js';
 import {Eye} from './stage.js';
 import {RunningMean} from './stopwatch.js';
 import {countsOf, countsOfStep, layersOf, layersOfStep} from './tally.js';
+import {TwoBoxes, startIn} from './two_boxes.js';
 import {VOLUMES, travelUntil} from './volumes.js';
 
 const REST = 400;  // ms without a change after which times are measured and counts announced
-
-/** Scenes of the page's own: what they are made of, where the boxes start, and half of their side. */
-export const OWN_SCENES = {
-  city: {
-    name: 'city: 200,000 boxes',
-    shape: 'boxes',
-    make: () => city(200000),
-    start: {a: [-110, 34, -50], b: [100, 20, 60], half: 7, radius: 130},
-  },
-  sphereflake: {
-    name: 'sphereflake: 66,430 spheres',
-    shape: 'spheres',
-    make: () => sphereflake(5),
-    start: {a: [-70, 75, 70], b: [75, 50, -40], half: 6, radius: 105},
-  },
-};
 
 export class BetweenPage {
   #library;
@@ -39,15 +23,13 @@ export class BetweenPage {
   #dragging;
   #panel;
   #scene;
-  #start;
+  #boxes;
   #answer;
   #steps;
   #stale = true;
   #restTimer;
   #libraryTime = new RunningMean();
   #question = {};
-  #places = {a: {middle: [0, 0, 0], half: 1}, b: {middle: [0, 0, 0], half: 1}};
-  #wanderFrom;
   #file;
 
   constructor(library, stage, panel) {
@@ -57,7 +39,7 @@ export class BetweenPage {
     this.#eye = new Eye(stage);
     this.#picture = new CullPicture(this.#eye);
     this.#dragging = new Dragging(stage.canvas, this.#picture, {
-      middle: (name) => this.#places[name].middle,
+      middle: (name) => this.#boxes[name].middle,
       moveTo: (name, place) => this.#moveTo(name, place),
       select: (name) => this.#grabbed(name),
     });
@@ -82,10 +64,7 @@ export class BetweenPage {
   /** The user's triangles. Throws the library's error if they are no bounds; then all is as it was. */
   openTriangles(name, triangles) {
     const scene = new Scene(this.#library, name, 'triangles', triangles);
-    const middle = middleOf(scene.around);
-    const at = (...shares) => middle.map((value, k) => value + shares[k] * scene.extent);
-    const start = {a: at(-0.3, 0.1, 0.15), b: at(0.3, 0, -0.1), half: 0.04 * scene.extent, radius: 0.5 * scene.extent};
-    this.#setScene(scene, start);
+    this.#setScene(scene, startIn(scene));
     this.#file = {name, triangles};
   }
 
@@ -93,24 +72,22 @@ export class BetweenPage {
     this.#picture.setScene(scene);
     this.#scene?.free();
     this.#scene = scene;
-    this.#start = {...start, half: start.half || 1};
+    this.#boxes = new TwoBoxes(start, scene);
     this.#panel.showScene(scene);
-    this.#restart();
+    this.#lookAtBoxes();
+    this.#changed();
   }
 
   /** Puts the boxes where they were first, and looks at them. */
   #restart() {
-    for (const name of ['a', 'b']) this.#places[name] = {middle: this.#start[name], half: this.#start.half};
-    this.#wanderFrom = undefined;
+    this.#boxes.restart();
     this.#lookAtBoxes();
     this.#changed();
   }
 
   #lookAtBoxes() {
-    const [a, b] = [this.#places.a.middle, this.#places.b.middle];
-    const middle = a.map((value, k) => (value + b[k]) / 2);
-    const apart = Math.hypot(...a.map((value, k) => value - b[k]));
-    this.#lookAt(middle, Math.max(this.#start.radius, 0.6 * apart, 4 * this.#start.half));
+    const {middle, radius} = this.#boxes.around;
+    this.#lookAt(middle, radius);
   }
 
   #lookAt(place, radius) {
@@ -150,18 +127,12 @@ export class BetweenPage {
   #move([x, y, z]) {
     const quarter = Math.round(this.#eye.controls.getAzimuthalAngle() / (Math.PI / 2));
     const [alongX, alongZ] = [[x, z], [z, -x], [-x, -z], [-z, x]][(quarter + 4) % 4];
-    const name = this.#panel.selected;
-    const step = this.#start.half;
-    const shift = [alongX, y, alongZ];
-    this.#moveTo(name, this.#places[name].middle.map((value, k) => value + step * shift[k]));
+    this.#boxes.moveBy(this.#panel.selected, [alongX, y, alongZ].map((share) => share * this.#boxes.half));
+    this.#changed();
   }
 
-  /** Not farther out than half the size of the scene, so that no box is lost. */
   #moveTo(name, middle) {
-    const {around, extent} = this.#scene;
-    const reach = Math.max(extent / 2, 20 * this.#start.half);
-    const near = (value, k) => Math.min(Math.max(value, around[k] - reach), around[k + 3] + reach);
-    this.#places[name].middle = middle.map(near);
+    this.#boxes.moveTo(name, middle);
     this.#changed();
   }
 
@@ -172,13 +143,8 @@ export class BetweenPage {
   }
 
   #resize(factor) {
-    this.#places[this.#panel.selected].half = this.#start.half * factor;
+    this.#boxes.resize(this.#panel.selected, factor);
     this.#changed();
-  }
-
-  /** How large the selected box is, as a multiple of its first size. */
-  #sizeOf(name) {
-    return this.#places[name].half / this.#start.half;
   }
 
   #changed() {
@@ -190,26 +156,22 @@ export class BetweenPage {
     this.#wander(now);
     if (this.#stale) this.#askAnew();
     this.#stage.render(this.#picture);
-    this.#picture.placeLabels(this.#panel.labels, this.#places, this.#stage.canvas);
+    this.#picture.placeLabels(this.#panel.labels, this.#boxes, this.#stage.canvas);
   }
 
-  /** Box B on a circle through the place where it was. */
   #wander(now) {
     if (!this.#panel.wander) {
-      this.#wanderFrom = undefined;
+      this.#boxes.stopWandering();
       return;
     }
-    this.#wanderFrom ??= {middle: this.#places.b.middle, since: now};
-    const angle = (now - this.#wanderFrom.since) / 2500;
-    const radius = 5 * this.#start.half;
-    const [x, y, z] = this.#wanderFrom.middle;
-    this.#moveTo('b', [x + radius * Math.sin(angle), y, z + radius * (Math.cos(angle) - 1)]);
+    this.#boxes.wander(now);
+    this.#changed();
   }
 
   #askAnew() {
     this.#stale = false;
     const kindChanged = this.#readQuestion();
-    this.#picture.setBoxes(this.#question, this.#start.half / 3);
+    this.#picture.setBoxes(this.#question, this.#boxes.half / 3);
     try {
       if (kindChanged) this.#warmUp();
       this.#answer = ask(this.#library, this.#scene, this.#question);
@@ -232,14 +194,14 @@ export class BetweenPage {
     const {kind, contact, test, time} = this.#panel;
     const kindChanged = kind !== this.#question.kind;
     const volume = VOLUMES[kind];
-    const {a, b} = this.#places;
+    const {a, b} = this.#boxes;
     this.#question = {
       kind, test, time,
       contact: volume.hull ? 'closed' : contact,
       a: cube(a.middle, volume.pointLike ? 0 : a.half),
       b: cube(b.middle, b.half),
     };
-    this.#panel.showSize(this.#sizeOf(this.#panel.selected), this.#panel.selected === 'a' && volume.pointLike);
+    this.#panel.showSize(this.#boxes.sizeOf(this.#panel.selected), this.#panel.selected === 'a' && volume.pointLike);
     return kindChanged;
   }
 
@@ -301,7 +263,7 @@ export class BetweenPage {
     return {
       name, shape, floats, question: this.#question, answer: this.#answer, counts: this.counts(),
       libraryMilliseconds: this.#libraryTime.mean,
-      onCanvas: {a: onCanvas(this.#places.a), b: onCanvas(this.#places.b)},
+      onCanvas: {a: onCanvas(this.#boxes.a), b: onCanvas(this.#boxes.b)},
     };
   }
 }

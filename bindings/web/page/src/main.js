@@ -2,12 +2,13 @@
 // Loads the library and ties the three pages together.
 import {load} from 'shaftcull';
 import wasm from 'shaftcull/shaftcull.wasm';
-import {BetweenPage, OWN_SCENES} from './between_page.js';
+import {BetweenPage} from './between_page.js';
 import {BetweenPanel} from './between_panel.js';
 import {onFiles} from './dropping.js';
 import {byId} from './html.js';
 import {readMesh} from './mesh_file.js';
 import {hideMessage, showMessage} from './message.js';
+import {OWN_SCENES} from './own_scenes.js';
 import {onThemeChange} from './palette.js';
 import {SamePage} from './same_page.js';
 import {SightsPage} from './sights_page.js';
