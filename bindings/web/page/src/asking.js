@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One question to the library: which bounds of a scene overlap a volume, are inside it, block it, and are hit first.
+// One question to the library: which bounds of scenes overlap a volume, are inside it, block it, and are hit first.
 import {Stopwatch} from './stopwatch.js';
 import {VOLUMES, travelUntil} from './volumes.js';
 
@@ -20,24 +20,24 @@ function form(library, {kind, a, b, contact}) {
 }
 
 /**
- * All answers to a question. `overlap`, `inside` and `blocks` are indices; what blocks is among what overlaps. Of
- * bodies that move, `first` is what is hit first and when, and `reached` has the indices of what is hit until `time`.
- * `points` are those of a hull, 3 floats each. `milliseconds` is what the library took. Throws an Error if there is no
- * such volume.
+ * All answers to a question about scenes. `parts` has an answer for each scene: `overlap`, `inside` and `blocks` are
+ * indices; what blocks is among what overlaps. Of bodies that move, `reached` has the indices of what is hit until
+ * `time`, and `first` is what is hit first of all scenes: {part, index, time}. `points` are those of a hull, 3 floats
+ * each. `milliseconds` is what the library took. Throws an Error if there is no such volume.
  */
-export function ask(library, scene, question) {
+export function ask(library, scenes, question) {
   const kind = VOLUMES[question.kind];
   const trouble = kind.trouble?.(question.a, question.b);
   if (trouble) throw new Error(trouble);
-  const {tree} = boundsFor(scene, question);
   const stopwatch = new Stopwatch();
   const volume = form(library, question);
   try {
-    const answer = {...tree.listClassified(volume), blocks: NONE, reached: NONE, points: volume.points};
-    if (kind.twoEnds && scene.shape === 'boxes') answer.blocks = scene.bounds.tree.listOccluders(volume);
+    const parts = scenes.map((scene) => partOf(scene, question, volume));
+    const answer = {parts, points: volume.points};
     if (kind.moves) {
-      answer.first = scene.bounds.tree.firstContact(volume);  // of triangles, as the boxes around them
-      answer.reached = reached(library, tree, question);
+      answer.first = firstOf(scenes, volume);
+      const lists = reached(library, scenes, question);
+      parts.forEach((part, i) => { part.reached = lists[i]; });
     }
     answer.milliseconds = stopwatch.milliseconds();
     return answer;
@@ -46,11 +46,24 @@ export function ask(library, scene, question) {
   }
 }
 
-/** What a moving body hits until a time: what it sweeps until then keeps. */
-function reached(library, tree, {a, b, contact, time}) {
+function partOf(scene, question, volume) {
+  const part = {...boundsFor(scene, question).tree.listClassified(volume), blocks: NONE, reached: NONE};
+  if (VOLUMES[question.kind].twoEnds && scene.shape === 'boxes') part.blocks = scene.bounds.tree.listOccluders(volume);
+  return part;
+}
+
+/** What is hit first; of triangles, the boxes around them. */
+function firstOf(scenes, volume) {
+  const hits = scenes.map(({bounds: {tree}}, part) => ({...tree.firstContact(volume), part}));
+  return hits.filter(({index}) => index !== undefined).sort((p, q) => p.time - q.time)[0];
+}
+
+/** What a moving body hits of each scene until a time: what it sweeps until then keeps. */
+function reached(library, scenes, question) {
+  const {a, b, contact, time} = question;
   const volume = library.swept(a, travelUntil(a, b, time), {contact});
   try {
-    return tree.list(volume);
+    return scenes.map((scene) => boundsFor(scene, question).tree.list(volume));
   } finally {
     volume.free();
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // "What is in the way?": a scene, a volume of two boxes, and the library's answers, asked anew whenever they change.
 import {ask, measure} from './asking.js';
+import {AskedScenes} from './asked_scenes.js';
 import {cube, inThrees, joined, middleOf} from './boxes.js';
 import {CullPicture} from './cull_picture.js';
 import {Dragging} from './dragging.js';
@@ -9,7 +10,7 @@ import {steps} from './planes.js';
 import {Scene} from './scenes.js';
 import {Eye} from './stage.js';
 import {RunningMean} from './stopwatch.js';
-import {countsOf, countsOfStep, layersOf, layersOfStep} from './tally.js';
+import {countsOf, countsOfStep, keptBySteps, layersOf, layersOfStep, summed} from './tally.js';
 import {TwoBoxes, startIn} from './two_boxes.js';
 import {VOLUMES, travelUntil} from './volumes.js';
 
@@ -22,11 +23,12 @@ export class BetweenPage {
   #picture;
   #dragging;
   #panel;
-  #scene;
+  #scenes;
   #boxes;
   #answer;
-  #steps;
+  #steps;  // of each of the scenes
   #stale = true;
+  #cold = true;  // whether something is asked for the first time
   #restTimer;
   #libraryTime = new RunningMean();
   #question = {};
@@ -38,6 +40,7 @@ export class BetweenPage {
     this.#panel = panel;
     this.#eye = new Eye(stage);
     this.#picture = new CullPicture(this.#eye);
+    this.#scenes = new AskedScenes(library, this.#picture);
     this.#dragging = new Dragging(stage.canvas, this.#picture, {
       middle: (name) => this.#boxes[name].middle,
       moveTo: (name, place) => this.#moveTo(name, place),
@@ -57,8 +60,8 @@ export class BetweenPage {
   }
 
   openOwn(key) {
-    const {name, shape, make, start} = OWN_SCENES[key];
-    this.#setScene(new Scene(this.#library, name, shape, make()), start);
+    const {name, shape, make, start, hasBodies} = OWN_SCENES[key];
+    this.#setScene(new Scene(this.#library, name, shape, make()), start, hasBodies);
   }
 
   /** The user's triangles. Throws the library's error if they are no bounds; then all is as it was. */
@@ -68,14 +71,16 @@ export class BetweenPage {
     this.#file = {name, triangles};
   }
 
-  #setScene(scene, start) {
-    this.#picture.setScene(scene);
-    this.#scene?.free();
-    this.#scene = scene;
+  #setScene(scene, start, hasBodies = false) {
+    this.#scenes.open(scene);
     this.#boxes = new TwoBoxes(start, scene);
-    this.#panel.showScene(scene);
+    this.#panel.showScene(scene, hasBodies);
     this.#lookAtBoxes();
     this.#changed();
+  }
+
+  get #scene() {
+    return this.#scenes.scene;
   }
 
   /** Puts the boxes where they were first, and looks at them. */
@@ -154,6 +159,7 @@ export class BetweenPage {
 
   frame(now) {
     this.#wander(now);
+    this.#changeBodies();
     if (this.#stale) this.#askAnew();
     this.#stage.render(this.#picture);
     this.#picture.placeLabels(this.#panel.labels, this.#boxes, this.#stage.canvas);
@@ -168,15 +174,29 @@ export class BetweenPage {
     this.#changed();
   }
 
+  /** There are bodies as long as the panel says so, and they change in every frame. */
+  #changeBodies() {
+    const wanted = this.#panel.bodies;
+    if (wanted !== Boolean(this.#scenes.bodies)) {
+      this.#scenes.switchBodies(wanted);
+      this.#cold = true;
+    }
+    if (!wanted) return;
+    this.#scenes.changeBodies();
+    this.#changed();
+  }
+
   #askAnew() {
+    const {all, bodies, length} = this.#scenes;
     this.#stale = false;
-    const kindChanged = this.#readQuestion();
+    this.#readQuestion();
     this.#picture.setBoxes(this.#question, this.#boxes.half / 3);
+    this.#picture.show(this.#panel.shown);
     try {
-      if (kindChanged) this.#warmUp();
-      this.#answer = ask(this.#library, this.#scene, this.#question);
-      this.#steps = this.#panel.stepping ? steps(this.#library, this.#scene, this.#question) : undefined;
-      this.#libraryTime.add(this.#answer.milliseconds);
+      if (this.#cold) this.#warmUp();
+      this.#answer = ask(this.#library, all, this.#question);
+      this.#steps = this.#panel.stepping ? all.map((scene) => steps(this.#library, scene, this.#question)) : undefined;
+      this.#libraryTime.add(this.#answer.milliseconds + (bodies?.milliseconds ?? 0));
       this.#draw();
       this.#panel.showTrouble();
     } catch (error) {
@@ -184,15 +204,14 @@ export class BetweenPage {
       this.#drawNothing();
       this.#panel.showTrouble(error.message);
     }
-    if (this.#answer) this.#panel.showLibraryTime(this.#libraryTime.mean, this.counts(), this.#scene.length);
+    if (this.#answer) this.#panel.showLibraryTime(this.#libraryTime.mean, this.counts(), length, bodies);
     clearTimeout(this.#restTimer);
     this.#restTimer = setTimeout(() => this.#rest(), REST);
   }
 
-  /** Tells whether another kind is asked than before. */
   #readQuestion() {
-    const {kind, contact, test, time} = this.#panel;
-    const kindChanged = kind !== this.#question.kind;
+    const {kind, contact, test, time, selected} = this.#panel;
+    if (kind !== this.#question.kind) this.#cold = true;
     const volume = VOLUMES[kind];
     const {a, b} = this.#boxes;
     this.#question = {
@@ -201,14 +220,14 @@ export class BetweenPage {
       a: cube(a.middle, volume.pointLike ? 0 : a.half),
       b: cube(b.middle, b.half),
     };
-    this.#panel.showSize(this.#boxes.sizeOf(this.#panel.selected), this.#panel.selected === 'a' && volume.pointLike);
-    return kindChanged;
+    this.#panel.showSize(this.#boxes.sizeOf(selected), selected === 'a' && volume.pointLike);
   }
 
   /** Browsers compile code when it is first called: that is no part of a frame's time. */
   #warmUp() {
-    ask(this.#library, this.#scene, this.#question);
+    ask(this.#library, this.#scenes.all, this.#question);
     this.#libraryTime = new RunningMean();
+    this.#cold = false;
   }
 
   #draw() {
@@ -219,49 +238,57 @@ export class BetweenPage {
     this.#drawStep();
     const travel = travelUntil(a, b, time);
     this.#picture.setGhost(volume.moves ? a.map((value, k) => value + travel[k % 3]) : undefined);
-    this.#picture.setFirst(this.#scene, first?.index);
-    this.#picture.paint(this.#steps ? layersOfStep(this.#steps, this.#panel.step) : layersOf(this.#answer));
-    this.#picture.show(this.#panel.shown);
+    const hit = this.#scenes.all[first?.part];
+    this.#picture.setFirst(hit, first?.index, this.#scene.extent / 60);
+    const {step} = this.#panel;
+    this.#paint((i) => (this.#steps ? layersOfStep(this.#steps[i], step) : layersOf(this.#answer.parts[i])));
     this.#panel.showCounts(this.counts());
-    if (volume.moves) this.#panel.showFirst(first, this.#scene.shape);
+    if (volume.moves) this.#panel.showFirst(first, this.#scene.shape, hit?.noun);
   }
 
   #drawNothing() {
     this.#picture.setVolume([]);
     this.#picture.setGhost();
     this.#picture.setStep();
-    this.#picture.setFirst(this.#scene);
-    this.#picture.paint([]);
+    this.#picture.setFirst();
+    this.#paint(() => []);
     this.#panel.showCounts({});
     this.#panel.showNoFirst();
   }
 
+  /** Paints the layers of each of the scenes. */
+  #paint(layers) {
+    this.#scenes.all.forEach((scene, i) => this.#picture.paint(scene, layers(i)));
+  }
+
   #drawStep() {
-    this.#panel.showSteps(this.#steps && this.#steps.left.map((left) => left.length), this.#scene.length);
+    this.#panel.showSteps(this.#steps && keptBySteps(this.#steps), this.#scenes.length);
     const {step} = this.#panel;
-    const plane = this.#steps && step > 0 ? this.#steps.planes.subarray(4 * step - 4, 4 * step) : undefined;
+    const plane = this.#steps && step > 0 ? this.#steps[0].planes.subarray(4 * step - 4, 4 * step) : undefined;
     this.#picture.setStep(this.#steps && joined(this.#question.a, this.#question.b), plane);
   }
 
   /** How many bounds get each answer. */
   counts() {
     if (!this.#answer) return {};
-    if (this.#steps) return countsOfStep(this.#steps, this.#scene, this.#panel.step);
-    return countsOf(this.#answer, this.#scene, this.#question);
+    return summed(this.#scenes.all.map((scene, i) => (this.#steps
+      ? countsOfStep(this.#steps[i], scene, this.#panel.step)
+      : countsOf(this.#answer.parts[i], scene, this.#question))));
   }
 
   #rest() {
-    if (this.#stale || !this.#answer) return;
+    if (this.#stale || !this.#answer || this.#scenes.bodies) return;
     this.#panel.showSpeed(measure(this.#library, this.#scene, this.#question));
     this.#panel.announce(this.counts());
   }
 
   /** All that a test needs to ask the same elsewhere, and where the boxes are on the canvas. */
   get state() {
-    const {name, shape, floats} = this.#scene;
+    const {scene: {name, shape, floats}, bodies} = this.#scenes;
     const onCanvas = ({middle}) => this.#picture.onCanvas(middle, this.#stage.canvas);
     return {
       name, shape, floats, question: this.#question, answer: this.#answer, counts: this.counts(),
+      bodies: bodies && {floats: bodies.floats, answer: this.#answer?.parts[1]},
       libraryMilliseconds: this.#libraryTime.mean,
       onCanvas: {a: onCanvas(this.#boxes.a), b: onCanvas(this.#boxes.b)},
     };

@@ -53,7 +53,7 @@ export class BetweenPanel {
       else actions.openOwn(event.target.value);
     });
     byId('kind').addEventListener('change', () => this.#showKind());
-    for (const id of ['kind', 'test', 'open-contact', 'shaft-shown', 'wander', 'stepping']) {
+    for (const id of ['bodies', 'kind', 'test', 'open-contact', 'shaft-shown', 'wander', 'stepping']) {
       byId(id).addEventListener('change', actions.change);
     }
     for (const radio of document.getElementsByName('selected')) radio.addEventListener('change', actions.change);
@@ -74,6 +74,7 @@ export class BetweenPanel {
   get test() { return byId('test').value; }
   get contact() { return byId('open-contact').checked ? 'open' : 'closed'; }
   get time() { return Number(byId('time').value); }
+  get bodies() { return byId('bodies').checked; }
   get wander() { return byId('wander').checked; }
   get selected() { return document.querySelector('[name="selected"]:checked').value; }
   get stepping() { return byId('stepping').checked && Boolean(VOLUMES[this.kind].twoEnds); }
@@ -118,7 +119,7 @@ export class BetweenPanel {
   }
 
   /** After another scene was opened. The last file of the user has an entry of its own. */
-  showScene({name, shape}) {
+  showScene({name, shape}, hasBodies) {
     const select = byId('scene');
     if (shape === 'triangles') {
       const file = [...select.options].find((option) => option.value === FILE);
@@ -127,6 +128,8 @@ export class BetweenPanel {
       select.value = FILE;
     }
     byId('triangle-test').hidden = shape !== 'triangles';
+    byId('bodies').checked = false;
+    byId('bodies-row').hidden = !hasBodies;
   }
 
   /** The slider of sizes, for a factor from 1/4 to 4; points have none. */
@@ -150,8 +153,8 @@ export class BetweenPanel {
   }
 
   /** What is hit first, of bounds of a shape. */
-  showFirst(first, shape) {
-    const told = (index, time) => `${NOUNS[shape]} ${written(index)} at time ${time.toFixed(4)}, marked in the picture`;
+  showFirst(first, shape, noun = NOUNS[shape]) {
+    const told = (index, time) => `${noun} ${written(index)} at time ${time.toFixed(4)}, marked in the picture`;
     const none = shape === 'triangles' ? 'It hits no box around a triangle.' : 'It hits nothing.';
     const note = shape === 'triangles' ? ' Triangles themselves have no times.' : '';
     byId('first').textContent = (first ? `First contact: ${told(first.index, first.time)}.` : none) + note;
@@ -189,16 +192,23 @@ export class BetweenPanel {
     byId('trouble').hidden = message === '';
     if (message === '') return;
     byId('library-time').textContent = '–';
+    byId('bodies-time').hidden = true;
     byId('legend').textContent = message;
     byId('status').textContent = message;
   }
 
-  /** The mean of the last frames; in a corner of the picture, too, with what is kept. */
-  showLibraryTime(milliseconds, {overlap = 0, inside = 0}, length) {
-    const time = milliseconds < COARSE ? 'less than 0.1 ms' : `${milliseconds.toFixed(2)} ms`;
+  /** The mean of the last frames; in a corner of the picture, too, with what is kept. There may be bodies. */
+  showLibraryTime(milliseconds, {overlap = 0, inside = 0}, length, bodies) {
+    const time = shortTime(milliseconds);
     const left = this.stepping ? `left after step ${this.#step}` : 'kept';
     byId('library-time').textContent = time;
     byId('legend').textContent = `${written(overlap + inside)} of ${written(length)} ${left}, library ${time} a frame`;
+    byId('bodies-time').hidden = !bodies;
+    if (!bodies) return;
+    const count = written(bodies.length);
+    const changes = shortTime(bodies.meanMilliseconds);
+    byId('legend').append(`; ${count} bodies, changes and commit: ${changes}`);
+    byId('bodies-time').textContent = `This includes changes and commit of ${count} bodies: ${changes}.`;
   }
 
   showSpeed(microseconds) {
@@ -213,6 +223,10 @@ export class BetweenPanel {
     const told = ([answer, count]) => `${this.#meaningOf(answer)} ${written(count)}`;
     byId('status').textContent = Object.entries(counts).map(told).join(', ');
   }
+}
+
+function shortTime(milliseconds) {
+  return milliseconds < COARSE ? 'less than 0.1 ms' : `${milliseconds.toFixed(2)} ms`;
 }
 
 function nameOfStep(k) {

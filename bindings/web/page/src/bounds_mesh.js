@@ -111,15 +111,20 @@ function fragmentShader({round}) {
 }
 
 /** The floats of a scene, each bound in texels of its own. */
-function floatsTexture({floats: perBound, texels}, {floats, length}) {
-  const height = Math.ceil((length * texels) / FLOATS_WIDTH);
-  const padded = new Float32Array(4 * FLOATS_WIDTH * height);
-  for (let i = 0; i < length; i++) {
-    padded.set(floats.subarray(i * perBound, (i + 1) * perBound), 4 * texels * i);
-  }
-  const texture = new DataTexture(padded, FLOATS_WIDTH, height, RGBAFormat, FloatType);
-  texture.needsUpdate = true;
+function floatsTexture(shape, scene) {
+  const height = Math.ceil((scene.length * shape.texels) / FLOATS_WIDTH);
+  const texels = new Float32Array(4 * FLOATS_WIDTH * height);
+  const texture = new DataTexture(texels, FLOATS_WIDTH, height, RGBAFormat, FloatType);
+  fill(texture, shape, scene);
   return texture;
+}
+
+function fill(texture, {floats: perBound, texels}, {floats, length}) {
+  const padded = texture.image.data;
+  for (let i = 0; i < length; i++) {
+    for (let k = 0; k < perBound; k++) padded[4 * texels * i + k] = floats[perBound * i + k];
+  }
+  texture.needsUpdate = true;
 }
 
 function answersTexture({length}) {
@@ -137,6 +142,7 @@ export class BoundsMesh {
   #layers = [];  // what was painted last
 
   constructor(scene) {
+    this.scene = scene;
     const shape = SHAPES[scene.shape];
     this.#floats = floatsTexture(shape, scene);
     this.#answers = answersTexture(scene);
@@ -156,8 +162,15 @@ export class BoundsMesh {
     this.readColours();
   }
 
+  /** Draws the bounds as the floats of the scene are now. Their number stays. */
+  move() {
+    fill(this.#floats, SHAPES[this.scene.shape], this.scene);
+  }
+
   readColours() {
-    this.mesh.material.uniforms.colours.value = ANSWERS.map(colour);
+    const outside = this.scene.outsideColour ?? 'outside';
+    const names = ANSWERS.map((name) => (name === 'outside' ? outside : name));
+    this.mesh.material.uniforms.colours.value = names.map(colour);
   }
 
   /** Shows bounds with some answers alone: `shown` has a flag for each answer, by its name. */

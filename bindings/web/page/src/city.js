@@ -24,6 +24,12 @@ export function city(count, seed = 1991) {
   }
 }
 
+/** Where a street begins and ends along one axis, in metres: street 0 is the nearest to the middle. */
+export function street(number) {
+  const end = placeOf(number * LOTS_IN_BLOCK);
+  return [(end - STREET) / 4, end / 4];
+}
+
 /** Lots ring by ring around the middle one, without end. */
 function* lotsFromTheMiddle() {
   yield [0, 0];

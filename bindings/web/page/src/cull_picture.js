@@ -11,7 +11,7 @@ import {colour} from './palette.js';
 
 export class CullPicture {
   world = new World();
-  #bounds;
+  #meshes = new Map();  // of bounds, by their scenes
   #floor = new Mesh(new PlaneGeometry(1, 1).rotateX(-Math.PI / 2), new MeshBasicMaterial());
   #boxes = {a: outlinedBox(), b: outlinedBox()};
   #ghost = outlinedBox();
@@ -38,28 +38,41 @@ export class CullPicture {
     tint(this.#around, colour('plane'));
     tint(this.#plane, colour('plane'));
     this.#first.material.color = colour('first');
-    this.#bounds?.readColours();
+    for (const mesh of this.#meshes.values()) mesh.readColours();
   }
 
-  setScene(scene) {
-    const bounds = new BoundsMesh(scene);  // may find no memory: then all is as it was
-    if (this.#bounds) {
-      this.world.remove(this.#bounds.mesh);
-      this.#bounds.dispose();
-    }
-    this.#bounds = bounds;
+  /** Draws the bounds of a scene, too. May find no memory: then all is as it was. */
+  add(scene) {
+    const bounds = new BoundsMesh(scene);
+    this.#meshes.set(scene, bounds);
     this.world.add(bounds.mesh);
+  }
+
+  remove(scene) {
+    const bounds = this.#meshes.get(scene);
+    this.#meshes.delete(scene);
+    this.world.remove(bounds.mesh);
+    bounds.dispose();
+  }
+
+  /** Draws the bounds of a scene where they are now. */
+  move(scene) {
+    this.#meshes.get(scene).move();
+  }
+
+  /** Puts the floor under a scene. */
+  placeFloor(scene) {
     const middle = middleOf(scene.around);
     this.#floor.scale.setScalar(2.5 * scene.extent);
     this.#floor.position.set(middle[0], scene.around[1] - scene.extent / 20000, middle[2]);
   }
 
-  paint(layers) {
-    this.#bounds.paint(layers);
+  paint(scene, layers) {
+    this.#meshes.get(scene).paint(layers);
   }
 
   show(shown) {
-    this.#bounds.show(shown);
+    for (const mesh of this.#meshes.values()) mesh.show(shown);
     this.#volume.visible = shown.volume;
   }
 
@@ -94,14 +107,14 @@ export class CullPicture {
   }
 
   /** Marks what is hit first: its edges, and a line up from it. */
-  setFirst(scene, index) {
+  setFirst(scene, index, lineLength) {
     this.#first.visible = index !== undefined;
     if (index === undefined) return;
     const box = boxOf(scene, index);
     const size = [0, 1, 2].map((k) => box[k + 3] - box[k]);
     const edges = new EdgesGeometry(new BoxGeometry(...size).translate(...middleOf(box))).attributes.position.array;
     const [x, , z] = middleOf(box);
-    const points = [...edges, x, box[4], z, x, box[4] + scene.extent / 60, z];
+    const points = [...edges, x, box[4], z, x, box[4] + lineLength, z];
     this.#first.geometry.dispose();
     this.#first.geometry = new BufferGeometry().setAttribute('position', new Float32BufferAttribute(points, 3));
   }

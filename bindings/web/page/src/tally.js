@@ -27,3 +27,14 @@ export function countsOfStep({left}, scene, step) {
   const before = step > 0 ? left[step - 1].length : scene.length;
   return {outside: scene.length - before, cut: before - left[step].length, overlap: left[step].length};
 }
+
+/** How many bounds of all scenes are left after each step. */
+export function keptBySteps(steps) {
+  return steps[0].left.map((_, k) => steps.reduce((sum, {left}) => sum + left[k].length, 0));
+}
+
+/** Counts of several scenes, which have the same answers, added up. */
+export function summed(counts) {
+  const names = Object.keys(counts[0]);
+  return Object.fromEntries(names.map((name) => [name, counts.reduce((sum, each) => sum + each[name], 0)]));
+}

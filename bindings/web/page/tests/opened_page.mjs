@@ -2,6 +2,7 @@
 // The built page, open in Chromium, for the tests beside this: node --test tests, with these variables of the environment:
 //
 // SHAFTCULL_PAGE      the built page
+// SHAFTCULL_PACKAGE   the package that it was built with
 // SHAFTCULL_MODULES   a node_modules that has playwright-core; without it, the one of the page's folder
 // SHAFTCULL_CHROMIUM  the browser, /usr/bin/chromium if it is not set
 // SHAFTCULL_PROGRAM   the program `shaftcull`, whose answers must be the page's; without it they are not compared
@@ -66,8 +67,14 @@ function drawNothing() {
 export async function state() {
   return page.evaluate(async () => {
     await new Promise(requestAnimationFrame);
-    const {answer, counts, question, libraryMilliseconds, onCanvas, name, shape} = window.shaftcullPage.state;
+    const {answer, counts, question, bodies, libraryMilliseconds, onCanvas, name, shape} = window.shaftcullPage.state;
+    const ascending = ([list, indices]) => [list, [...indices].sort((i, j) => i - j)];
     return {answered: Boolean(answer), first: answer?.first, points: answer?.points && [...answer.points], counts,
+      kept: answer?.parts.reduce((sum, {overlap, inside}) => sum + overlap.length + inside.length, 0),
+      bodies: bodies && {
+        floats: [...bodies.floats],
+        answer: bodies.answer && Object.fromEntries(Object.entries(bodies.answer).map(ascending)),
+      },
       question: {...question, a: [...question.a], b: [...question.b]}, libraryMilliseconds, onCanvas, name, shape};
   });
 }
