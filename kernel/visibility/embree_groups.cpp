@@ -58,41 +58,46 @@ void require_memory(bool there_is_enough) {
   if (!there_is_enough) fail(std::bad_alloc());
 }
 
-/// Puts the part of a ray that is in a box into Embree's packet. Embree overflows where rays are 10¹⁸ times as long as
-/// what they meet. Returns whether there is such a part.
-bool put_ray(const RayPacket& packet, unsigned ray, const Box& box, float scale, unsigned i, RTCRay16& rays,
-             RayPart& part) noexcept {
-  double from[3];
-  double way[3];
-  double first = 0;
-  double last = 1;
+/// Puts the parts of rays that are in a box into Embree's packet: Embree overflows where rays are 10¹⁸ times as long as
+/// what they meet. Returns which rays have such a part.
+unsigned put_rays(const RayPacket& packet, unsigned offset, const Box& box, float scale, RTCRay16& rays,
+                  RayPart (&part)[packet_width]) noexcept {
+  double from[3][packet_width];
+  double way[3][packet_width];
+  double first[packet_width] = {};
+  double last[packet_width];
+  std::fill_n(last, packet_width, 1.0);
   for (std::size_t k = 0; k != 3; ++k) {
-    from[k] = double{packet.origin[k]} + packet.from[k][ray];
-    way[k] = packet.way[k][ray];
-    if (way[k] == 0) {
-      if (from[k] < box.lo[k] || from[k] > box.hi[k]) return false;
-      continue;
+    for (unsigned i = 0; i != packet_width; ++i) {
+      from[k][i] = double{packet.origin[k]} + packet.from[k][offset + i];
+      way[k][i] = packet.way[k][offset + i];
+      // Of a ray along the plane of a face, both are infinite, or one is NaN, which is passed over.
+      const double to_lo = (box.lo[k] - from[k][i]) / way[k][i];
+      const double to_hi = (box.hi[k] - from[k][i]) / way[k][i];
+      first[i] = std::max(first[i], std::min(to_lo, to_hi));
+      last[i] = std::min(last[i], std::max(to_lo, to_hi));
     }
-    const double to_lo = (box.lo[k] - from[k]) / way[k];
-    const double to_hi = (box.hi[k] - from[k]) / way[k];
-    first = std::max(first, std::min(to_lo, to_hi));
-    last = std::min(last, std::max(to_lo, to_hi));
   }
-  if (!(first < last)) return false;
-  part = {first, last - first};
   float* const org[3] = {rays.org_x, rays.org_y, rays.org_z};
   float* const dir[3] = {rays.dir_x, rays.dir_y, rays.dir_z};
   for (std::size_t k = 0; k != 3; ++k) {
-    org[k][i] = static_cast<float>((from[k] + first * way[k]) * scale);
-    dir[k][i] = static_cast<float>(part.length * way[k] * scale);
+    for (unsigned i = 0; i != packet_width; ++i) {
+      org[k][i] = static_cast<float>((from[k][i] + first[i] * way[k][i]) * scale);
+      dir[k][i] = static_cast<float>((last[i] - first[i]) * way[k][i] * scale);
+    }
   }
-  rays.tnear[i] = 0;
-  rays.tfar[i] = 1;
-  rays.time[i] = 0;
-  rays.mask[i] = ~0U;
-  rays.id[i] = i;
-  rays.flags[i] = 0;
-  return true;
+  unsigned reaching = 0;
+  for (unsigned i = 0; i != packet_width; ++i) {
+    part[i] = {first[i], last[i] - first[i]};
+    reaching |= first[i] < last[i] ? 1U << i : 0U;
+    rays.tnear[i] = 0;
+    rays.tfar[i] = 1;
+    rays.time[i] = 0;
+    rays.mask[i] = ~0U;
+    rays.id[i] = i;
+    rays.flags[i] = 0;
+  }
+  return reaching;
 }
 
 }  // namespace
@@ -159,16 +164,11 @@ std::uint64_t EmbreeGroups::meet(const RayKernels& /*unused*/, const RayPacket& 
   for (unsigned first = 0; first < packet.count; first += packet_width) {
     const auto some = static_cast<unsigned>(asked >> first & ((1U << packet_width) - 1));
     if (some == 0) continue;
-    alignas(64) RTCRay16 rays{};
-    alignas(64) int valid[packet_width] = {};
-    unsigned reaching = 0;
-    for (unsigned left = some; left != 0; left &= left - 1) {
-      const auto i = static_cast<unsigned>(std::countr_zero(left));
-      if (!put_ray(packet, first + i, of.box, of.scale, i, rays, context.part[i])) continue;
-      valid[i] = -1;
-      reaching |= 1U << i;
-    }
+    alignas(64) RTCRay16 rays;
+    unsigned reaching = some & put_rays(packet, first, of.box, of.scale, rays, context.part);
     if (reaching == 0) continue;
+    alignas(64) int valid[packet_width];
+    for (unsigned i = 0; i != packet_width; ++i) valid[i] = (reaching >> i & 1U) != 0 ? -1 : 0;
     rtcOccluded16(valid, of.scene.get(), &context.embree, &rays);
     for (; reaching != 0; reaching &= reaching - 1) {
       const auto i = static_cast<unsigned>(std::countr_zero(reaching));
