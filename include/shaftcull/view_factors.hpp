@@ -90,11 +90,12 @@ struct SHAFTCULL_EXPORT ViewFactors {
 ///
 /// The error of factors of clear pairs is at most 10⁻⁶ of the factor. Time grows with the number of pairs that see each
 /// other, and with the time of visibility(): a second or two for the 2,500 patches of a city, on one thread. Allocates
-/// 56 bytes per pair with a factor, and the memory of visible_fractions(). Runs in parallel, in the caller's
-/// task_arena. The result is the same bits for any number of threads and on every instruction set, as far as those of
-/// visible_fractions() are. Throws InvalidArgument for options out of range, for patches without planes, for patches
-/// with two sides, for patches that are boxes with an interior, and for rows that are to be closed and are off by more
-/// than 0.1. Throws Cancelled, and std::bad_alloc if memory runs out.
+/// 56 bytes per pair with a factor, and the memory of visible_fractions(). The first call with a set prepares it: about
+/// 800 bytes per patch, which the set keeps. Runs in parallel, in the caller's task_arena. The result is the same bits
+/// for any number of threads and on every instruction set, as far as those of visible_fractions() are. Throws
+/// InvalidArgument for options out of range, for patches without planes, for patches with two sides, for patches that
+/// are boxes with an interior, and for rows that are to be closed and are off by more than 0.1. Throws Cancelled, and
+/// std::bad_alloc if memory runs out.
 [[nodiscard]] SHAFTCULL_EXPORT ViewFactors view_factors(const PatchSet& patches, const Occluders& occluders,
                                                         const ViewFactorOptions& options = {});
 

@@ -222,6 +222,14 @@ double exchange_between(const RadiatingPatch& a, const RadiatingPatch& b, Accura
   });
 }
 
+RadiatingPatches::RadiatingPatches(std::size_t count) {
+  patches_.reserve(count);
+  for (unsigned order = 2; order <= most_kept_order; ++order) {
+    nodes_[order - 2].reserve(count * ((order * order + 3) / 4));
+    end_[order - 2].reserve(count);
+  }
+}
+
 void RadiatingPatches::add(std::span<const Vec3> corners) {
   const RadiatingPatch& patch = patches_.emplace_back(corners);
   Nodes nodes;

@@ -38,7 +38,8 @@ enum class Accuracy : std::uint8_t { six_digits, eight_digits };
 /// The same for each two of some patches, of which points are worked out once.
 class RadiatingPatches {
  public:
-  void reserve(std::size_t count) { patches_.reserve(count); }
+  /// None yet; with memory for so many of four corners.
+  explicit RadiatingPatches(std::size_t count);
   void add(std::span<const Vec3> corners);
 
   [[nodiscard]] std::span<const RadiatingPatch> all() const noexcept { return patches_; }

@@ -58,6 +58,15 @@ void require(const PatchSet& patches, const ViewFactorOptions& options) {
                                    : "patches have no planes; a view factor is of patches that face one side"));
 }
 
+/// By their indices.
+kernel::RadiatingPatches radiating(const PatchSet& patches) {
+  std::vector<std::size_t> place(patches.size());
+  for (std::size_t p = 0; p != place.size(); ++p) place[patches.order()[p]] = p;
+  kernel::RadiatingPatches all(place.size());
+  for (const std::size_t p : place) all.add(kernel::outline_of(patches.tree(), p).all());
+  return all;
+}
+
 /// One call.
 class Exchanges {
  public:
@@ -65,12 +74,8 @@ class Exchanges {
       : set_(patches),
         occluders_(occluders),
         options_(options),
-        rays_(patches.tree(), patches.tree(), occluders.data(), options.tolerance, options.rays, options.seed) {
-    std::vector<std::size_t> place(patches.size());
-    for (std::size_t p = 0; p != place.size(); ++p) place[patches.order()[p]] = p;
-    patches_.reserve(place.size());
-    for (const std::size_t p : place) patches_.add(kernel::outline_of(patches.tree(), p).all());
-  }
+        rays_(patches.tree(), patches.tree(), occluders.data(), options.tolerance, options.rays, options.seed),
+        patches_(patches.tree().radiating_patches()->of([&] { return radiating(patches); })) {}
 
   /// Finds all of them, in no particular order. The user's callback runs in these modes.
   SightCounts find(const kernel::CallersModes& modes) {
@@ -89,14 +94,16 @@ class Exchanges {
     return counts;
   }
 
-  [[nodiscard]] std::span<const RadiatingPatch> patches() const noexcept { return patches_.all(); }
+  [[nodiscard]] std::span<const RadiatingPatch> patches() const noexcept { return patches_->all(); }
   [[nodiscard]] ExchangeLists exchanges() noexcept { return std::move(exchanges_); }
 
  private:
   /// Pairs that are worth a loop in parallel.
   static constexpr std::size_t most_waiting = std::size_t{1} << 17;
 
-  [[nodiscard]] double unobstructed(PatchPair pair) const noexcept { return patches_.exchange_between(pair.a, pair.b); }
+  [[nodiscard]] double unobstructed(PatchPair pair) const noexcept {
+    return patches_->exchange_between(pair.a, pair.b);
+  }
 
   void cast(const UndecidedPairs& undecided) {
     std::vector<Exchange> found;
@@ -105,9 +112,10 @@ class Exchanges {
         const PatchPair pair = undecided.pairs[i];
         const double most = unobstructed(pair);
         if (most == 0) continue;
-        const double areas = patches_[pair.a].area * patches_[pair.b].area;
-        const double factor = most / std::min(patches_[pair.a].area, patches_[pair.b].area);
-        const double mean_weight = kernel::pi * most / areas;
+        const double area_a = (*patches_)[pair.a].area;
+        const double area_b = (*patches_)[pair.b].area;
+        const double factor = most / std::min(area_a, area_b);
+        const double mean_weight = kernel::pi * most / (area_a * area_b);
         const std::size_t first = undecided.first_candidate[i];
         kernel::RayWeights weights;
         const kernel::RayTally tally =
@@ -165,7 +173,7 @@ class Exchanges {
   const Occluders& occluders_;
   const ViewFactorOptions& options_;
   kernel::SightRays rays_;
-  kernel::RadiatingPatches patches_;
+  kernel::MadeOnce<kernel::RadiatingPatches>::Shared patches_;
   std::vector<ClearRow> clear_;
   std::size_t waiting_ = 0;
   kernel::Mutex mutex_;

@@ -235,6 +235,7 @@ PatchTree::PatchTree(std::span<const Vec3> corners, std::span<const std::size_t>
 PatchTree::PatchTree(const BoxView& boxes, std::span<const Plane> planes) {
   if (boxes.count == 0) return;
   ray_patches_ = std::make_shared<MadeOnce<RayPatches>>();
+  radiating_patches_ = std::make_shared<MadeOnce<RadiatingPatches>>();
   sight_planes_ = std::make_shared<MadeForKey<SightKey, SightPlanes>>();
   const bool has_planes = !planes.empty();
   std::vector<PatchItem> items(boxes.count);

@@ -22,6 +22,8 @@
 
 namespace shaftcull::kernel {
 
+class RadiatingPatches;
+
 /// Boxes with planes in separate streams, padded so that a word can be read from any of them on: patches, or groups.
 class PatchStreams {
  public:
@@ -138,6 +140,10 @@ class PatchTree {
   [[nodiscard]] float largest_coordinate() const noexcept { return largest_coordinate_; }
   /// The patches as rays meet them, made when they are first asked for. Throws as outline_of().
   [[nodiscard]] std::shared_ptr<const RayPatches> ray_patches() const;
+  /// The patches as they radiate (radiation/), made when they are first asked for. Null if there are no patches.
+  [[nodiscard]] const MadeOnce<RadiatingPatches>* radiating_patches() const noexcept {
+    return radiating_patches_.get();
+  }
   /// The planes of a job (sight_set()), which make() makes unless they were those of the last job.
   template <class Make>
   [[nodiscard]] std::shared_ptr<const SightPlanes> sight_planes(const SightKey& key, const Make& make) const {
@@ -157,6 +163,7 @@ class PatchTree {
   float largest_coordinate_ = 0;
   bool has_both_sides_ = false;
   std::shared_ptr<MadeOnce<RayPatches>> ray_patches_;                ///< null if there are no patches
+  std::shared_ptr<MadeOnce<RadiatingPatches>> radiating_patches_;    ///< likewise
   std::shared_ptr<MadeForKey<SightKey, SightPlanes>> sight_planes_;  ///< null if there are no patches
 };
 
