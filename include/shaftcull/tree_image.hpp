@@ -38,8 +38,9 @@ template <class Bound>
 
 /// Writes the image of a dynamic tree: its bounds, their order, ids and layers, erased ids, and the state of the
 /// upkeep. Dynamic trees with the same history of calls have the same image to the byte. O(image_bytes(tree)), in
-/// parallel. Throws as write_image() above, and InvalidArgument if changes wait for a commit(). A call that changes the
-/// tree must not run at the same time; queries and snapshots may.
+/// parallel. Allocates 4 bytes per index. Throws InvalidArgument unless `image` has image_bytes(tree) bytes, at any
+/// alignment, and if changes wait for a commit(). If memory runs out, it throws std::bad_alloc, and `image` holds no
+/// image. A call that changes the tree must not run at the same time; queries and snapshots may.
 template <class Bound>
 SHAFTCULL_EXPORT void write_image(const DynamicTree<Bound>& tree, std::span<std::byte> image);
 

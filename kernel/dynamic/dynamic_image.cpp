@@ -114,23 +114,24 @@ DynamicHeader header_of(const DynamicTree<Bound>& tree) {
   return header;
 }
 
-template <class Bound>
-BlockRecord record_of(const LeafBlock<Bound>& block, std::uint32_t number) noexcept {
-  BlockRecord record{};
-  record.number = number;
-  record.count = static_cast<std::uint32_t>(block.count);
-  record.count_when_sorted = static_cast<std::uint32_t>(block.count_when_sorted);
-  record.empties = static_cast<std::uint32_t>(block.empties);
-  record.changed = block.changed;
-  record.is_large = block.is_large ? 1 : 0;
-  record.is_apart = block.is_apart ? 1 : 0;
-  record.surface_when_sorted = block.surface_when_sorted;
-  record.surface = block.surface;
-  record.gaps = block.gaps;
-  std::copy_n(block.taken, block_words, record.taken);
-  std::copy_n(block.word_layers, block_words, record.word_layers);
-  std::copy_n(&block.node[0][0], 6 * block_words, &record.node[0][0]);
-  return record;
+/// Copies all but leaves, to a record from a block or back.
+template <class From, class To>
+void copy_numbers(const From& from, To& to) noexcept {
+  const auto copy = [](const auto& number, auto& copied) {
+    copied = static_cast<std::remove_reference_t<decltype(copied)>>(number);
+  };
+  copy(from.count, to.count);
+  copy(from.count_when_sorted, to.count_when_sorted);
+  copy(from.empties, to.empties);
+  copy(from.changed, to.changed);
+  copy(from.is_large, to.is_large);
+  copy(from.is_apart, to.is_apart);
+  copy(from.surface_when_sorted, to.surface_when_sorted);
+  copy(from.surface, to.surface);
+  copy(from.gaps, to.gaps);
+  std::copy_n(from.taken, block_words, to.taken);
+  std::copy_n(from.word_layers, block_words, to.word_layers);
+  std::copy_n(&from.node[0][0], 6 * block_words, &to.node[0][0]);
 }
 
 template <class Item>
@@ -146,8 +147,10 @@ const std::byte* take(std::span<Item> items, const std::byte* from) noexcept {
 
 template <class Bound>
 void write_block(const LeafBlock<Bound>& block, std::uint32_t number, std::byte* to) noexcept {
-  const BlockRecord record = record_of(block, number);
-  to = put(std::span(&record, 1), to);
+  BlockRecord record{};
+  record.number = number;
+  copy_numbers(block, record);
+  to = put(std::span<const BlockRecord>(&record, 1), to);
   to = put(std::span<const float>(block.floats()), to);
   to = put(std::span<const std::uint32_t>(block.order(), block_leaves), to);
   if (block.layers() != nullptr) put(std::span<const std::uint32_t>(block.layers(), block_leaves), to);
@@ -239,18 +242,7 @@ class FromImage {
     from = take(block.floats(), from);
     from = take(std::span(block.order(), block_leaves), from);
     if (block.layers() != nullptr) take(std::span(block.layers(), block_leaves), from);
-    block.count = record.count;
-    block.count_when_sorted = record.count_when_sorted;
-    block.empties = record.empties;
-    block.changed = static_cast<std::size_t>(record.changed);
-    block.is_large = record.is_large != 0;
-    block.is_apart = record.is_apart != 0;
-    block.surface_when_sorted = record.surface_when_sorted;
-    block.surface = record.surface;
-    block.gaps = record.gaps;
-    std::copy_n(record.taken, block_words, block.taken);
-    std::copy_n(record.word_layers, block_words, block.word_layers);
-    std::copy_n(&record.node[0][0], 6 * block_words, &block.node[0][0]);
+    copy_numbers(record, block);
     return record.number;
   }
 
