@@ -17,18 +17,12 @@
 #include "sanitizers.hpp"
 #include "shaftcull/tree_image.hpp"
 #include "tree/image_header.hpp"
+#include "tree/image_of.hpp"
 
 namespace shaftcull {
 namespace {
 
 using testing::HasSubstr;
-
-template <class Tree>
-std::vector<std::byte> image_of(const Tree& tree) {
-  std::vector<std::byte> image(image_bytes(tree));
-  write_image(tree, image);
-  return image;
-}
 
 template <class Bound>
 class DynamicImages : public testing::Test {};
@@ -134,9 +128,7 @@ TEST(DynamicImageErrors, NamesWhatIsNoImage) {
               HasSubstr("is of boxes that come and go, not of spheres that come and go"));
   const std::vector<Box> boxes(3, Box{{0, 0, 0}, {1, 1, 1}});
   const BoxTree still{std::span<const Box>(boxes)};
-  std::vector<std::byte> of_still(image_bytes(still));
-  write_image(still, of_still);
-  EXPECT_THAT(refusal(of_still), HasSubstr("is of boxes, not of boxes that come and go"));
+  EXPECT_THAT(refusal(image_of(still)), HasSubstr("is of boxes, not of boxes that come and go"));
   EXPECT_THAT(message_of([&] { write_image(tree, std::span(image).first(64)); }),
               HasSubstr("image has 64 bytes; that of this tree takes " + std::to_string(image.size())));
 }

@@ -123,4 +123,24 @@ function(hashes_as_answered)
   hashes("${expected}")
 endfunction()
 
+# use_pkg_config(prefix): has pkg-config read the files that are installed there; skips the rest of the case where there is none.
+macro(use_pkg_config prefix)
+  find_program(pkg_config NAMES pkg-config pkgconf)
+  if(NOT pkg_config)
+    skip("there is no pkg-config on this machine; all else of the case is as it should be")
+  endif()
+  file(GLOB_RECURSE pc_file "${prefix}/*/shaftcull.pc")
+  get_filename_component(pc_folder "${pc_file}" DIRECTORY)
+  set(ENV{PKG_CONFIG_PATH} "${pc_folder}")
+endmacro()
+
+# run_by_pkg_config(library compiler word…): compiles a program with the flags of pkg-config for this library, and runs it.
+function(run_by_pkg_config library)
+  run(${pkg_config} --cflags --libs ${library})
+  separate_arguments(flags UNIX_COMMAND "${output}")
+  run(${ARGN} -o ${WORK}/by_hand ${flags})
+  run(${WORK}/by_hand)
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
 include(${SHAFTCULL}/cmake/machine.cmake)

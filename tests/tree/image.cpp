@@ -29,6 +29,7 @@
 #include "shaftcull/error.hpp"
 #include "shaftcull/first_contact.hpp"
 #include "support/checksum.hpp"
+#include "tree/image_of.hpp"
 #include "tree/scenes.hpp"
 #include "tree/volumes.hpp"
 
@@ -37,13 +38,6 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
-
-template <class Tree>
-std::vector<std::byte> image_of(const Tree& tree) {
-  std::vector<std::byte> image(image_bytes(tree));
-  write_image(tree, image);
-  return image;
-}
 
 template <class Tree>
 Tree tree_of(const std::vector<BoundOf<Tree>>& bounds) {
