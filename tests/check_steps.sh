@@ -84,6 +84,17 @@ says "^begins: ./cmake/run passes one$"
 check 0 all "passes one"
 says_not "^begins"
 
+steps=("test --preset one" "test --layer one" "release one")
+check 0 all "${steps[@]}"
+git -C "$work/project" commit -q --allow-empty -m "Another commit of the same files"
+check 0 all "${steps[@]}"
+[[ $(grep ^begins "$work/output") == "begins: ./cmake/run release one" ]] || fail "does not begin just the release again"
+echo "a change" >"$work/project/page.md"
+check 0 all "${steps[@]}"
+says_not "^begins: ./cmake/run test --preset one$"  # it reads no pages
+says "^begins: ./cmake/run test --layer one$"
+says "^passed .* ./cmake/run test --preset one$"
+
 check 0 ci "passes 1" "passes 2" "skipped 3" "passes 4" "passes 5"
 says "^skipped +[0-9]+ s, +[0-9]+ s of a processor  ./cmake/run skipped 3$"
 says "^passed +[0-9]+ s, +[0-9]+ s of a processor  ./cmake/run passes 5$"

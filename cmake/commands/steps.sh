@@ -83,10 +83,10 @@ run_step() {
     77) result=skipped ;;
     *) result=FAILED ;;
   esac
-  if [[ $record_changes ]] && [[ $(state_of_sources) != "$sources" ]]; then result="$result, while sources changed"; fi
+  if [[ $record_changes ]] && [[ $(state_of_sources "$1") != "${state[$1]}" ]]; then result="$result, while sources changed"; fi
   {
     flock 9
-    printf '%s\t%s\t%d\t%s\t%d\n' "$sources" "$result" $((SECONDS - start)) "$1" $((spent[0] + spent[1])) >>"$record"
+    printf '%s\t%s\t%d\t%s\t%d\n' "${state[$1]}" "$result" $((SECONDS - start)) "$1" $((spent[0] + spent[1])) >>"$record"
     printf '\n==== ./cmake/run %s: %s\n' "$1" "$result"
     cat "$log"
   } 9>>"$record"
@@ -97,8 +97,8 @@ run_step() {
 # print_steps: the table of the steps that were run on these sources, the last time each.
 print_steps() {
   printf '\n'
-  awk -F '\t' -v sources="$sources" '
-    $1 == sources { if (!($4 in result)) order[++n] = $4; result[$4] = $2; seconds[$4] = $3; spent[$4] = $5 }
+  awk -F '\t' -v states="${state[*]}" '
+    index(" " states " ", " " $1 " ") { if (!($4 in result)) order[++n] = $4; result[$4] = $2; seconds[$4] = $3; spent[$4] = $5 }
     END {
       for (i = 1; i <= n; ++i) {
         step = order[i]
@@ -113,32 +113,44 @@ print_steps() {
 check_ci() {
   record=$(mktemp)
   record_changes=
-  sources=here
+  local step
+  declare -gA state=()
+  for step in "${ci_steps[@]}"; do state[$step]=here; done
   trap 'end_steps; rm -f "$record"' EXIT
   trap 'exit 130' INT TERM
   run_steps 3 "${ci_steps[@]}"
 }
 
-# state_of_sources: a word that changes with the sources.
+# state_of_sources STEP: a word that changes with the files that the step reads. The steps that take longest do not read pages of
+# documentation; that of a release reads the number of the commit.
 state_of_sources() {
-  (cd "$root" && { git rev-parse HEAD && git diff HEAD && git ls-files --others --exclude-standard -z | xargs -0 -r sha1sum; } |
-    sha1sum | cut -c 1-12)
+  local files=(.)
+  case $1 in "test --preset "* | fuzz* | verify* | mutate | tidy) files=(. ':!*.md') ;; esac
+  (cd "$root" && {
+    [[ $1 != release* ]] || git rev-parse HEAD
+    git ls-files --stage -- "${files[@]}"
+    git diff -- "${files[@]}"
+    git ls-files --others --exclude-standard -z -- "${files[@]}" | xargs -0 -r sha1sum
+  } | sha1sum | cut -c 1-12)
 }
 
 # check_all: all steps, for hours. Steps that have passed on the same sources are not run again, so that a run can be stopped and goes
 # on when the same command is given. A step that fails does not stop the others.
 check_all() {
   local step left=()
+  declare -gA state=()
   record=$root/build/all_checks.tsv
   record_changes=yes
   mkdir -p "$root/build"
   touch "$record"
-  sources=$(state_of_sources) || stop "cmake/run: test --all asks git which sources it has tested, and git does not answer here."
+  git -C "$root" rev-parse --verify -q HEAD >/dev/null ||
+    stop "cmake/run: test --all asks git which sources it has tested, and git does not answer here."
   trap end_steps EXIT
   trap 'exit 130' INT TERM
   for step in "${all_steps[@]}"; do
-    awk -F '\t' -v sources="$sources" -v step="$step" '
-      $1 == sources && $4 == step { passed = $2 == "passed" } END { exit !passed }' "$record" || left+=("$step")
+    state[$step]=$(state_of_sources "$step")
+    awk -F '\t' -v state="${state[$step]}" -v step="$step" '
+      $1 == state && $4 == step { passed = $2 == "passed" } END { exit !passed }' "$record" || left+=("$step")
   done
   [[ ${#left[@]} -eq 0 ]] || run_steps 2 "${left[@]}"
 }
