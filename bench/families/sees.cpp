@@ -190,6 +190,7 @@ void declare_sees(Suite& suite, const Workload& /*workload*/) {
   declare_all(suite, inside, 150e6 * share);
   declare_all(suite, outside, 100e6 * share);
   for (const auto& scene : {inside, outside}) declare_corners(suite, scene);
+  declare_dense(suite);
 #ifdef SHAFTCULL_BENCH_WITH_EMBREE
   struct Rows {
     std::shared_ptr<SeesScene> scene;

@@ -114,6 +114,9 @@ class SeesScene {
 /// Adds rows of all pairs of patches by their corners.
 void declare_corners(Suite& suite, const std::shared_ptr<SeesScene>& sees);
 
+/// Adds the rows of all pairs in a room with a body of many triangles.
+void declare_dense(Suite& suite);
+
 #ifdef SHAFTCULL_BENCH_WITH_EMBREE
 /// What rays are cast against: what is solid as such and meshes as triangles, or all as triangles.
 enum class RayTargets : unsigned char { solids, triangles };
