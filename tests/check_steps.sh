@@ -118,6 +118,32 @@ for steps in ci all; do  # ended while a step runs
   [[ $i -lt 100 ]] || fail "$steps has ended, and a step still runs"
 done
 
+# Tests of a step that was stopped: ctest and all before it have stand-ins.
+run_stopped_step() {
+  (
+    exec >"$work/output" 2>&1
+    root=$work/project jobs=2
+    source "$root/cmake/commands/test.sh"
+    install_for_tests() { :; }
+    configure_and_build() { :; }
+    ctest() {
+      echo "called: ctest $*"
+      printf '1/3 Test  #1: one.two ......   Passed    0.10 sec\n2/3 Test #12: a_b ...***Failed    9.00 sec\n'
+      printf '3/3 Test  #3: c ...........***Skipped   0.01 sec\n4/4 Test #4: six ... Passed 0.1 sec\n'
+      return 8
+    }
+    SHAFTCULL_STEP=$1 run_tests --preset serial
+  ) || true
+}
+rm -f "$work/project/build/serial.passed"
+run_stopped_step state
+says "^called: ctest --preset serial --parallel 2$"
+run_stopped_step state
+says "^goes on without 2 tests"
+says '^called: ctest .* --no-tests=ignore --exclude-regex \^\(one\[\.\]two\|six\)\$$'
+run_stopped_step another
+says "^called: ctest --preset serial --parallel 2$"
+
 with_install='' check 0 ci "passes 1"
 says "^output of --no-install passes 1$"
 

@@ -31,7 +31,7 @@ all_steps=(
   "test --preset windows"
   "test --preset arm64"
   "test --preset s390x"
-  "mutate"
+  "mutate --layer every"
   "tidy"
   "bare ./cmake/run demo && ./cmake/run test"
 )
@@ -66,7 +66,8 @@ end_tree() {
   for child in $children; do end_tree "$child"; done
 }
 
-# run_step STEP [COMMAND…]: ./cmake/run with the words of the step, started by the command. Its output goes to a file, and from there
+# run_step STEP [COMMAND…]: ./cmake/run with the words of the step, started by the command. SHAFTCULL_STEP is `yes`, or of --all the
+# state of the files that the step reads. Its output goes to a file, and from there
 # to the standard output when the step has ended, so that outputs of two steps do not mix; what it installs is announced at once.
 # Adds a line to the table of steps.
 run_step() {
@@ -76,7 +77,7 @@ run_step() {
   if [[ ! $may_install ]]; then first=(--no-install); fi
   log=$(mktemp)
   echo "begins: ./cmake/run $1"
-  { time SHAFTCULL_STEP=yes "${@:2}" "$root/cmake/run" "${first[@]}" "${words[@]}" 3>&1 </dev/null >"$log" 2>&1; } 2>"$log.time" || status=$?
+  { time SHAFTCULL_STEP=${state[$1]} "${@:2}" "$root/cmake/run" "${first[@]}" "${words[@]}" 3>&1 </dev/null >"$log" 2>&1; } 2>"$log.time" || status=$?
   read -ra spent <"$log.time"
   case $status in
     0) ;;
@@ -115,7 +116,7 @@ check_ci() {
   record_changes=
   local step
   declare -gA state=()
-  for step in "${ci_steps[@]}"; do state[$step]=here; done
+  for step in "${ci_steps[@]}"; do state[$step]=yes; done
   trap 'end_steps; rm -f "$record"' EXIT
   trap 'exit 130' INT TERM
   run_steps 3 "${ci_steps[@]}"
@@ -125,7 +126,7 @@ check_ci() {
 # documentation; that of a release reads the number of the commit.
 state_of_sources() {
   local files=(.)
-  case $1 in "test --preset "* | fuzz* | verify* | mutate | tidy) files=(. ':!*.md') ;; esac
+  case $1 in "test --preset "* | fuzz* | verify* | mutate* | tidy) files=(. ':!*.md') ;; esac
   (cd "$root" && {
     [[ $1 != release* ]] || git rev-parse HEAD
     git ls-files --stage -- "${files[@]}"

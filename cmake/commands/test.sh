@@ -71,9 +71,35 @@ run_tests() {
   if [[ $preset == @(asan|tsan) && $layer == ci ]]; then instruction_sets=BEST; fi
   configure_and_build "$preset" "${options[@]}" "${targets[@]}"
   built=$SECONDS
-  (cd "$root" && SHAFTCULL_TEST_LAYER=$layer ctest --preset "$preset" --parallel "$jobs" "${filter[@]}" "$@")
+  SHAFTCULL_TEST_LAYER=$layer run_ctest --preset "$preset" --parallel "$jobs" "${filter[@]}" "$@"
   printf '\n%d s on %d processors: packages %d, building %d, tests %d\n' $((SECONDS - start)) "$jobs" \
     $((installed - start)) $((built - installed)) $((SECONDS - built))
+}
+
+# of_all: whether this is a step of --all.
+of_all() { [[ ${SHAFTCULL_STEP:-yes} != yes ]]; }
+
+# goes_on FILE: whether a step of --all was stopped, and its files are still the same. Otherwise the file is new, and names them.
+goes_on() {
+  if [[ -f $1 && $(head -n 1 "$1") == "$SHAFTCULL_STEP" ]]; then return 0; fi
+  echo "$SHAFTCULL_STEP" >"$1"
+  return 1
+}
+
+# run_ctest --preset NAME option…: ctest. When a step of --all goes on, without the tests that have passed.
+run_ctest() {
+  if ! of_all; then
+    (cd "$root" && ctest "$@")
+    return
+  fi
+  local passed=$root/build/$2.passed names=() without=()
+  if goes_on "$passed"; then mapfile -t -s 1 names <"$passed"; fi
+  if [[ ${#names[@]} -gt 0 ]]; then
+    without=(--no-tests=ignore --exclude-regex "^($(IFS='|' && echo "${names[*]//./[.]}"))\$")
+    echo "goes on without ${#names[@]} tests that have passed on these files"
+  fi
+  (cd "$root" && ctest "$@" "${without[@]}") |
+    awk -v passed="$passed" '{ print } $2 == "Test" && $(NF - 2) == "Passed" { print $4 >>passed } { fflush() }'
 }
 
 # test [--ci | --all | option…]
@@ -89,10 +115,14 @@ command_test() {
 
 # mutate [option…]
 command_mutate() {
-  use_packages_of "$([[ $* =~ --preset[=\ ]([a-z0-9]+) ]] && echo "${BASH_REMATCH[1]}" || echo release)" \
-    "$([[ $* =~ --layer[=\ ]([a-z]+) ]] && echo "${BASH_REMATCH[1]}" || echo quick)" ""
+  local preset=release layer=quick
+  if [[ $* =~ --preset[=\ ]([a-z0-9]+) ]]; then preset=${BASH_REMATCH[1]}; fi
+  if [[ $* =~ --layer[=\ ]([a-z]+) ]]; then layer=${BASH_REMATCH[1]}; fi
+  use_packages_of "$preset" "${layer/every/ci}" ""
+  if [[ $layer == every ]]; then packages+=("${sanitizer_packages[@]}"); fi
   packages+=(python3:python3)
   install_missing
+  if of_all && goes_on "$root/build/mutate.step"; then set -- "$@" --resume; fi
   "$root/tests/mutation/mutate.py" "$@"
 }
 

@@ -10,6 +10,9 @@ the environment variable SHAFTCULL_PLANTED_FAULT, so all are built once. Tests a
 until one fails, those of GoogleTest a test at a time: first those whose area is a folder in the path of the fault, then
 the others. Of both, those are first that have noticed most for their time.
 
+--layer every tries a fault in the cheapest place first: the layer quick, then ci, then ci under AddressSanitizer, then
+under ThreadSanitizer, until one of them notices it.
+
 What is found is written to build/mutate/PRESET/noticed_LAYER.csv, fault by fault. The exit status is 0 if at most --may-miss
 faults are not noticed, 1 if more are, and 2 if there was nothing to find out.
 """
@@ -69,6 +72,9 @@ KEPT_OUTPUT = 8 << 20  # bytes of an entry's output
 SHARDING = ("GTEST_TOTAL_SHARDS", "GTEST_SHARD_INDEX")
 
 COLUMNS = ["kind", "name", "file", "entry", "test", "seconds", "how", "text"]
+
+# Where a fault may be noticed, the cheapest place first: the layer, and the presets that it runs.
+PLACES = [("quick", "release"), ("ci", "release"), ("ci", "asan"), ("ci", "tsan")]
 
 
 class Refusal(Exception):
@@ -244,8 +250,8 @@ def build(preset: str, layer: str, jobs: int) -> Path:
     options = ["-DSHAFTCULL_BUILD_TESTS=ON", "-DSHAFTCULL_BUILD_PYTHON=AUTO"]
     if layer != "quick":
         options.append("-DSHAFTCULL_BUILD_PROGRAM=ON")
-    elif preset == "release":
-        options.append("-DSHAFTCULL_INSTRUCTION_SETS=BEST")
+    if preset == "release":
+        options.append("-DSHAFTCULL_INSTRUCTION_SETS=BEST" if layer == "quick" else "-USHAFTCULL_INSTRUCTION_SETS")
     steps = [
         ["cmake", "--preset", preset, "-B", str(folder), *options],
         ["cmake", "--build", str(folder), "-j", str(jobs), "--target", LAYERS[layer][0]],
@@ -597,8 +603,6 @@ Which faults do the tests notice? `./cmake/run mutate` plants faults in a copy o
 ([how](testing.md#mutation)). A fault is noticed if a test answers wrong, crashes or does not end. This page is written by
 `./cmake/run mutate --page`.
 """
-# Where a fault may be noticed, the cheapest place first: the layer, and the presets that it runs.
-PLACES = [("quick", "release"), ("ci", "release"), ("ci", "asan"), ("ci", "tsan")]
 
 
 def write_page(faults: Sequence[Fault]) -> int:
@@ -654,8 +658,8 @@ def parse_arguments() -> argparse.Namespace:
         epilog="Faults are those of tests/mutation/faults.txt. What is found is in build/mutate/PRESET/noticed_LAYER.csv.",
     )
     parser.add_argument("faults", nargs="*", metavar="FAULT", help="names or patterns of those to try, as ties.* (all)")
-    parser.add_argument("--preset", default="release", help="of CMakePresets.json (release)")
-    parser.add_argument("--layer", choices=list(LAYERS), default="quick", help="of tests (quick)")
+    parser.add_argument("--preset", help="of CMakePresets.json (release)")
+    parser.add_argument("--layer", choices=[*LAYERS, "every"], default="quick", help="of tests (quick)")
     parser.add_argument("--only", metavar="REGEX", help="only entries with such names")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, metavar="N", help="at once (processors)")
     parser.add_argument("--resume", action="store_true", help="keep what is known of faults that are the same")
@@ -665,7 +669,29 @@ def parse_arguments() -> argparse.Namespace:
     arguments = parser.parse_args()
     if arguments.jobs < 1:
         parser.error("--jobs is 1 or more")
+    if arguments.layer == "every" and arguments.preset:
+        parser.error("--layer every has presets of its own")
     return arguments
+
+
+def rows_of_place(layer: str, preset: str, faults: Sequence[Fault], all_faults: Sequence[Fault],
+                  arguments: argparse.Namespace) -> dict[str, Row]:
+    """Tries faults in one layer of one preset, and returns their rows."""
+    folder = build(preset, layer, arguments.jobs)
+    path = folder / f"noticed_{layer}.csv"
+    if arguments.only:  # what some entries miss says nothing of the layer
+        path = folder / "noticed_only.csv"
+    rows = known_rows(path, all_faults)
+    if not arguments.resume:
+        for fault in faults:
+            rows.pop(fault.label, None)
+    if any(fault.label not in rows for fault in faults):
+        runner = Runner()
+        os.environ.update(environment_of(preset))
+        os.environ["SHAFTCULL_TEST_LAYER"] = layer  # how many random cases there are (tests/sanitizers.hpp)
+        entries = run_without_fault(runner, entries_of(folder, LAYERS[layer][1], arguments.only), arguments.jobs)
+        rows = try_faults(runner, faults, entries, path, rows, arguments.jobs)
+    return {fault.label: rows[fault.label] for fault in faults}
 
 
 def main() -> int:
@@ -679,21 +705,12 @@ def main() -> int:
     if arguments.page:
         return 0 if write_page(all_faults) <= arguments.may_miss else 1
     copy_sources(all_faults)
-    folder = build(arguments.preset, arguments.layer, arguments.jobs)
-    path = folder / f"noticed_{arguments.layer}.csv"
-    if arguments.only:  # what some entries miss says nothing of the layer
-        path = folder / "noticed_only.csv"
-    known = known_rows(path, all_faults)
-    if not arguments.resume:
-        for fault in faults:
-            known.pop(fault.label, None)
-    runner = Runner()
-    rows = known
-    if any(fault.label not in known for fault in faults):
-        os.environ.update(environment_of(arguments.preset))
-        os.environ["SHAFTCULL_TEST_LAYER"] = arguments.layer  # how many random cases there are (tests/sanitizers.hpp)
-        entries = run_without_fault(runner, entries_of(folder, LAYERS[arguments.layer][1], arguments.only), arguments.jobs)
-        rows = try_faults(runner, faults, entries, path, known, arguments.jobs)
+    places = PLACES if arguments.layer == "every" else [(arguments.layer, arguments.preset or "release")]
+    rows: dict[str, Row] = {}
+    for layer, preset in places:
+        left = [fault for fault in faults if fault.label not in rows or not rows[fault.label]["how"]]
+        if left:
+            rows.update(rows_of_place(layer, preset, left, all_faults, arguments))
     missed = report(faults, rows, time.monotonic() - begin)
     return 0 if missed <= arguments.may_miss else 1
 
