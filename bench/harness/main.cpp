@@ -34,7 +34,7 @@ constexpr std::array families{
     declare_roofline, declare_tree,         declare_picking,
     declare_frame,    declare_dynamic,      declare_flat_against_tree,
     declare_touching, declare_short_sweeps, declare_triangles,
-    declare_sees,     declare_factors,
+    declare_sees,     declare_factors,      declare_origin,
 #ifdef SHAFTCULL_BENCH_WITH_AVX2
     declare_exact,
 #endif

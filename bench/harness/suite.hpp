@@ -131,6 +131,8 @@ void declare_frame(Suite& suite, const Workload& workload);
 void declare_sees(Suite& suite, const Workload& workload);
 /// factors/…: view factors of all pairs, and rays
 void declare_factors(Suite& suite, const Workload& workload);
+/// origin/…: bounds in doubles, made floats
+void declare_origin(Suite& suite, const Workload& workload);
 /// flat_against_tree/…: flat scans and trees, by size and by what is found
 void declare_flat_against_tree(Suite& suite, const Workload& workload);
 
