@@ -58,7 +58,7 @@ configure_package_config_file(
   INSTALL_DESTINATION ${shaftcull_package_dir}
   NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/shaftcull-config-version.cmake
-  COMPATIBILITY SameMinorVersion)  # while the major version is 0; see include/shaftcull/version.hpp
+  COMPATIBILITY SameMajorVersion)
 install(EXPORT shaftcull
   FILE shaftcull-targets.cmake
   NAMESPACE shaftcull::

@@ -43,10 +43,10 @@
 /// parts, and add the position at which a part begins to the indices of that part.
 ///
 /// Enumerators are fixed-width integers with the constants below. Structs are plain, and on 64-bit machines every byte
-/// of a struct belongs to a field. Fields named `reserved` must be 0.
+/// of a struct belongs to a field. Fields named `reserved…` must be 0.
 ///
 /// Compatibility. Within a major version, functions, constants and uses of reserved fields may be added; nothing is
-/// changed or removed. While the major version is 0, a new minor version may change anything.
+/// changed or removed.
 #ifndef SHAFTCULL_H
 #define SHAFTCULL_H
 
@@ -89,7 +89,7 @@ enum {
 #define SHAFTCULL_NONE UINT64_MAX
 
 /// The version of this header, to compare with shaftcull_version(): major · 1,000,000 + minor · 1,000 + patch.
-#define SHAFTCULL_HEADER_VERSION 1000
+#define SHAFTCULL_HEADER_VERSION 1000000
 
 /// The version of the running library, in the form of SHAFTCULL_HEADER_VERSION. Never fails. O(1).
 SHAFTCULL_API uint32_t shaftcull_version(void);
@@ -679,7 +679,8 @@ typedef struct shaftcull_query {
   const uint32_t* only;
   uint64_t only_count;
   /// The largest number of results per shaft: the query returns the first ones, and stops after that many. With 0,
-  /// there is no limit. For shaftcull_count(), shaftcull_list(), shaftcull_list_many() and shaftcull_list_occluders().
+  /// there is no limit, unlike in C++, where 0 allows no results. For shaftcull_count(), shaftcull_list(),
+  /// shaftcull_list_many() and shaftcull_list_occluders().
   uint64_t limit;
   shaftcull_triangle_test triangle_test; /* of triangles; 0 for other bounds */
   uint32_t skip_overlapping; /* whether first contact skips bounds that overlap the box at the start: 1 or 0 */
@@ -1031,14 +1032,23 @@ typedef struct shaftcull_visibility_options {
   shaftcull_resolve_callback resolve;   /* or NULL */
   shaftcull_progress_callback progress; /* or NULL */
   void* user;                           /* passed to both callbacks */
+  uint64_t reserved[4];                 /* 0 */
 } shaftcull_visibility_options;
 
 /// The default options: 256 MB, open contact, solids around ends, candidates, no tolerance, all pairs, no callbacks.
 /// Never fails.
 static inline shaftcull_visibility_options shaftcull_default_visibility_options(void) {
-  const shaftcull_visibility_options options = {
-      268435456, SHAFTCULL_CONTACT_OPEN, 1, 1, 0, 0, 1, (shaftcull_resolve_callback)0, (shaftcull_progress_callback)0,
-      (void*)0};
+  const shaftcull_visibility_options options = {268435456,
+                                                SHAFTCULL_CONTACT_OPEN,
+                                                1,
+                                                1,
+                                                0,
+                                                0,
+                                                1,
+                                                (shaftcull_resolve_callback)0,
+                                                (shaftcull_progress_callback)0,
+                                                (void*)0,
+                                                {0, 0, 0, 0}};
   return options;
 }
 
@@ -1087,15 +1097,16 @@ SHAFTCULL_API shaftcull_status shaftcull_visibility_result_describe(const shaftc
 
 /// The options of rays (RayOptions of rays.hpp).
 typedef struct shaftcull_ray_options {
-  uint64_t seed;   /* the points where rays start and end depend only on the seed and the pair */
-  double error;    /* a pair gets fewer rays if its estimated standard error is at most this; 0: all rays */
-  uint32_t rays;   /* per pair, 1 to 65536; a multiple of 16 is cast */
-  float tolerance; /* surfaces nearer than this to an end of a ray do not block it */
+  uint64_t seed;        /* the points where rays start and end depend only on the seed and the pair */
+  double error;         /* a pair gets fewer rays if its estimated standard error is at most this; 0: all rays */
+  uint32_t rays;        /* per pair, 1 to 65536; a multiple of 16 is cast */
+  float tolerance;      /* surfaces nearer than this to an end of a ray do not block it */
+  uint64_t reserved[4]; /* 0 */
 } shaftcull_ray_options;
 
 /// The default options: 64 rays, seed 1, no error, no tolerance. Never fails.
 static inline shaftcull_ray_options shaftcull_default_ray_options(void) {
-  const shaftcull_ray_options options = {1, 0, 64, 0};
+  const shaftcull_ray_options options = {1, 0, 64, 0, {0, 0, 0, 0}};
   return options;
 }
 
@@ -1133,15 +1144,17 @@ typedef struct shaftcull_view_factor_options {
   float tolerance;                      /* as for visibility and for rays */
   uint32_t part;                        /* as for visibility: the matrix has the factors of this part */
   uint32_t parts;                       /* number of parts; add their matrices; 1 with close_rows */
+  uint32_t reserved_too;                /* 0 */
   shaftcull_progress_callback progress; /* or NULL */
   void* user;                           /* passed to the callback */
+  uint64_t reserved[4];                 /* 0 */
 } shaftcull_view_factor_options;
 
 /// The default options: 256 MB, seed 1, error 1e-5, all pairs, 4096 rays, rows as they are, no tolerance, no
 /// callback. Never fails.
 static inline shaftcull_view_factor_options shaftcull_default_view_factor_options(void) {
   const shaftcull_view_factor_options options = {
-      268435456, 1, 1e-5, 0, 4096, 0, 0, 0, 1, (shaftcull_progress_callback)0, (void*)0};
+      268435456, 1, 1e-5, 0, 4096, 0, 0, 0, 1, 0, (shaftcull_progress_callback)0, (void*)0, {0, 0, 0, 0}};
   return options;
 }
 

@@ -38,7 +38,7 @@ foreach(line IN LISTS lines)
   endif()
   # The name that a header must have: of "void shaftcull::list_many<unsigned int>(…)" it is list_many.
   set(name "")
-  if(NOT symbol MATCHES "^[^(]*shaftcull::kernel::" AND symbol MATCHES "(^| )shaftcull::([A-Za-z_]+)")
+  if(NOT symbol MATCHES "^[^(]*shaftcull::kernel::" AND NOT symbol MATCHES "::(Writer|State|Parts|NotWritten|[A-Za-z]+Access)[:),]|::refer[(]" AND symbol MATCHES "(^| )shaftcull::([A-Za-z_]+)")
     set(name ${CMAKE_MATCH_2})
   endif()
   if(NOT name OR NOT declared MATCHES "[^A-Za-z_]${name}[^A-Za-z_]")

@@ -93,10 +93,8 @@ template <class Enum>
   return as_enumerator(sides, PatchSides::both, "sides", "SHAFTCULL_PATCH_FRONT and SHAFTCULL_PATCH_BOTH");
 }
 [[nodiscard]] inline TriangleTest as_triangle_test(shaftcull_triangle_test test) {
-  if (test == SHAFTCULL_TRIANGLES_EXACT) return TriangleTest::exact;
-  if (test == SHAFTCULL_TRIANGLES_BY_VERTICES) return TriangleTest::vertices;
-  refuse("triangle test = " + std::to_string(test) +
-         " is none of SHAFTCULL_TRIANGLES_EXACT and SHAFTCULL_TRIANGLES_BY_VERTICES");
+  return as_enumerator(test, TriangleTest::vertices, "triangle test",
+                       "SHAFTCULL_TRIANGLES_EXACT and SHAFTCULL_TRIANGLES_BY_VERTICES");
 }
 [[noreturn]] inline void refuse_kind(shaftcull_bound_kind kind) {
   refuse("kind = " + std::to_string(kind) + " is none of SHAFTCULL_BOXES, SHAFTCULL_SPHERES and SHAFTCULL_TRIANGLES");
@@ -105,6 +103,13 @@ template <class Enum>
 [[nodiscard]] inline bool as_bool(std::uint32_t value, const char* name) {
   if (value > 1) refuse(std::string(name) + " = " + std::to_string(value) + " is neither 0 nor 1");
   return value != 0;
+}
+/// Refuses what a later version of the header may have set.
+inline void require_zero(std::span<const std::uint64_t> reserved, const std::string& of) {
+  for (const std::uint64_t number : reserved) {
+    if (number != 0)
+      refuse(of + ".reserved is not 0; set the whole struct to 0 or to its defaults first, or use a newer library");
+  }
 }
 
 /// The same bytes as a value of the other language.

@@ -93,7 +93,7 @@ shaftcull_status shaftcull_dynamic_tree_create(shaftcull_bound_kind kind, double
   return guarded([&] {
     shaftcull_bounds*& out = given(tree, "tree");
     const auto create = [&](auto made) {
-      made.set_upkeep(sorted_per_change);
+      made.set_sorted_per_change(sorted_per_change);
       out = new shaftcull_bounds{std::move(made)};
     };
     if (kind == SHAFTCULL_BOXES) return create(DynamicBoxTree());

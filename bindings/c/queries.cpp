@@ -42,9 +42,7 @@ Query query_of(const shaftcull_query* query) {
   if (asked.skip_overlapping > 1) {
     refuse("query.skip_overlapping = " + std::to_string(asked.skip_overlapping) + " is neither 0 nor 1");
   }
-  for (const std::uint64_t reserved : asked.reserved) {
-    if (reserved != 0) refuse("query.reserved is not 0; set all of a query to 0 first");
-  }
+  require_zero(asked.reserved, "query");
   std::optional<std::span<const std::uint32_t>> only;
   if (asked.only != nullptr || asked.only_count != 0) only = as_span(asked.only, asked.only_count, "query.only");
   const std::uint64_t limit = asked.limit == 0 ? Query::no_limit : asked.limit;

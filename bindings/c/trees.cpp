@@ -76,7 +76,7 @@ shaftcull_status shaftcull_tree_describe(const shaftcull_bounds* tree, shaftcull
     shaftcull_tree_info& out = given(info, "info");
     if constexpr (Dynamic<Tree>) {
       const shaftcull::TreeUpkeep upkeep = bounds.upkeep();
-      out = {upkeep.sah_ratio, bounds.count(), upkeep.blocks, upkeep.waiting, upkeep.sorted_last};
+      out = {upkeep.sah_ratio, bounds.bound_count(), upkeep.blocks, upkeep.waiting, upkeep.sorted_last};
     } else {
       out = {bounds.sah_ratio(), bounds.size(), 0, 0, 0};
     }

@@ -30,14 +30,17 @@ struct shaftcull_factor_matrix {
 
 namespace {
 
-RayOptions as_ray_options(const shaftcull_ray_options* options) noexcept {
+RayOptions as_ray_options(const shaftcull_ray_options* options) {
   if (options == nullptr) return {};
+  require_zero(options->reserved, "options");
   return {.rays = options->rays, .error = options->error, .seed = options->seed, .tolerance = options->tolerance};
 }
 
 ViewFactorOptions as_factor_options(const shaftcull_view_factor_options* options) {
   ViewFactorOptions out;
   if (options == nullptr) return out;
+  require_zero(options->reserved, "options");
+  require_zero({{options->reserved_too}}, "options");
   out.rays = options->rays;
   out.error = options->error;
   out.seed = options->seed;

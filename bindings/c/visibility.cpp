@@ -85,6 +85,7 @@ constexpr const char* sight_enumerators =
 VisibilityOptions as_options(const shaftcull_visibility_options* options) {
   VisibilityOptions out;
   if (options == nullptr) return out;
+  require_zero(options->reserved, "options");
   out.memory = as_size(options->memory, "options.memory");
   out.contact = as_contact(options->contact);
   out.solids_around_ends = as_bool(options->solids_around_ends, "options.solids_around_ends");

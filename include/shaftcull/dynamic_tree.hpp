@@ -41,7 +41,7 @@ class TreeSnapshot {
   ~TreeSnapshot();
 
   /// The number of bounds.
-  [[nodiscard]] std::size_t count() const noexcept;
+  [[nodiscard]] std::size_t bound_count() const noexcept;
   /// All indices are below this number. Queries use it as the number of bounds: their bits and Query::exclude_mask have
   /// this many bits, and the bits of indices without a bound are 0. It never decreases during the life of a tree. An
   /// index without a bound is legal in Query::only and Query::exclude, and names an empty bound.
@@ -86,9 +86,9 @@ struct TreeUpkeep {
 ///
 /// *Commits.* The cost of a commit depends on the number of changes. Bounds are stored in blocks of up to 4,096. A
 /// commit writes to the blocks that contain changes, and fits the nodes above them. It re-sorts blocks that are too
-/// full or too empty, and some of the blocks that have grown (set_upkeep()). It re-sorts all bounds if half as many
-/// bounds are inserted as the tree has. Bounds that are much larger than most have blocks of their own. A commit runs
-/// in parallel, as building a tree does.
+/// full or too empty, and some of the blocks that have grown (set_sorted_per_change()). It re-sorts all bounds if half
+/// as many bounds are inserted as the tree has. Bounds that are much larger than most have blocks of their own. A
+/// commit runs in parallel, as building a tree does.
 ///
 /// *When not to use it.* If all bounds move in each frame, BoundsTree::update() is many times faster. If no bounds are
 /// inserted or erased, queries of a BoundsTree are faster.
@@ -146,7 +146,7 @@ class DynamicTree {
   /// The value of a bound, with all changes, committed or not. Throws InvalidArgument unless has(id).
   [[nodiscard]] Bound operator[](BoundId id) const;
   /// The number of bounds, with all changes, committed or not.
-  [[nodiscard]] std::size_t count() const noexcept;
+  [[nodiscard]] std::size_t bound_count() const noexcept;
   /// The bytes that the tree and the state of its last commit hold.
   [[nodiscard]] std::size_t memory_bytes() const noexcept;
 
@@ -161,7 +161,7 @@ class DynamicTree {
   /// commits slower. A commit may re-sort 1,024 bounds in addition. The part of this budget that a commit does not use
   /// is saved for later commits, up to a quarter of all bounds. With 0, blocks are sorted only if they are too full or
   /// too empty. Throws InvalidArgument for a negative or infinite number.
-  void set_upkeep(double sorted_per_change);
+  void set_sorted_per_change(double sorted_per_change);
   /// The state of the upkeep after the last commit. O(blocks).
   [[nodiscard]] TreeUpkeep upkeep() const noexcept;
 

@@ -20,16 +20,16 @@
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 
-/// An instruction set. Of the sets for one processor, better ones come later. `scalar` and `portable128` (four floats
-/// per vector, no intrinsics) run on any processor. `neon` is for 64-bit ARM, and the others are for x86-64. The
-/// numbers may change when a set is added; the names do not.
+/// An instruction set. `scalar` and `portable128` (four floats per vector, no intrinsics) run on any processor. `neon`
+/// is for 64-bit ARM, and the others are for x86-64. Numbers and names never change; a set that is added gets the next
+/// number. available_isas() returns the sets in the order of their speed.
 enum class Isa : std::uint8_t {
-  scalar,       ///< one float at a time
-  portable128,  ///< four floats, by the compiler
-  sse4_2,       ///< four floats; needs POPCNT as well
-  avx2,         ///< eight floats; needs FMA, BMI and BMI2 as well
-  avx512,       ///< sixteen floats; needs F, CD, DQ, BW and VL, and all that avx2 needs
-  neon,         ///< four floats
+  scalar = 0,       ///< one float at a time
+  portable128 = 1,  ///< four floats, by the compiler
+  sse4_2 = 2,       ///< four floats; needs POPCNT as well
+  avx2 = 3,         ///< eight floats; needs FMA, BMI and BMI2 as well
+  avx512 = 4,       ///< sixteen floats; needs F, CD, DQ, BW and VL, and all that avx2 needs
+  neon = 5,         ///< four floats
 };
 
 /// The name of an instruction set: "avx2" for Isa::avx2; "unknown" for a value that is not an enumerator.

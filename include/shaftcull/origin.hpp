@@ -54,7 +54,7 @@ class SHAFTCULL_EXPORT Origin {
 
   /// A point near the middle of `world`, whose coordinates are multiples of a power of two that is 1/64 to 1/32 of the
   /// largest side. Throws InvalidArgument for a box that is not finite or has lo > hi.
-  [[nodiscard]] static SHAFTCULL_EXPORT Origin near(const WorldBox& world);
+  [[nodiscard]] static SHAFTCULL_EXPORT Origin for_world(const WorldBox& world);
 
   /// The point of the world where the origin is.
   [[nodiscard]] constexpr const WorldVec3& at() const noexcept { return at_; }

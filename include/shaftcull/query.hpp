@@ -109,11 +109,13 @@ class Numbers {
   requires std::convertible_to<const Range&, std::span<const std::uint32_t>>
   constexpr Numbers(const Range& numbers) noexcept  // NOLINT(google-explicit-constructor)
       : given_(numbers) {}
-  /// Numbers in braces.
-  template <std::convertible_to<std::uint32_t>... Number>
-  requires(sizeof...(Number) != 0 &&
-           sizeof...(Number) <=
-               most_in_braces) constexpr Numbers(Number... number) noexcept  // NOLINT(google-explicit-constructor)
+  /// Numbers in braces, of types with at most 32 bits: wider ones need a cast, which shows that they fit.
+  template <std::integral... Number>
+  requires(
+      sizeof...(Number) != 0 && sizeof...(Number) <= most_in_braces &&
+      ((sizeof(Number) <= sizeof(std::uint32_t) &&
+        !std::same_as<Number,
+                      bool>)&&...)) constexpr Numbers(Number... number) noexcept  // NOLINT(google-explicit-constructor)
       : in_braces_{static_cast<std::uint32_t>(number)...}, count_(sizeof...(Number)) {}
 
   /// All numbers. The span is valid as long as this object and the memory to which it refers.
@@ -159,6 +161,7 @@ struct Query {
   bool skip_overlapping = false;
   /// The test of triangles. Other bounds take only the default.
   TriangleTest triangle_test = TriangleTest::exact;
+  std::uint64_t reserved[4] = {};  ///< for options of later versions
 };
 
 /// No options. A default argument that is made once, not for each call.

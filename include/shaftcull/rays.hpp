@@ -26,6 +26,7 @@ struct RayOptions {
   /// of patches and occluders, which is 0.2 mm for 100 m, and at least 2⁻²² of the largest coordinate, which is two to
   /// four float steps of it: 0.12 m where coordinates are 500,000 m. So move such scenes to the origin.
   float tolerance = 0;
+  std::uint64_t reserved[4] = {};  ///< for options of later versions
 };
 
 /// Writes the visible fraction of each pair, from 0 to 1. It is the share of segments that no candidate blocks, among

@@ -73,6 +73,8 @@ struct SolidSearch {
   /// mesh.
   Box region{{-unbounded, -unbounded, -unbounded}, {unbounded, unbounded, unbounded}};
 
+  std::uint64_t reserved[4] = {};  ///< for options of later versions
+
   static constexpr float unbounded = std::numeric_limits<float>::infinity();  ///< where a region has no end
 };
 

@@ -128,9 +128,7 @@ class SHAFTCULL_EXPORT BoxStream {
   /// The number of boxes.
   [[nodiscard]] std::size_t size() const noexcept { return view_.count; }
   /// The bytes of boxes that the stream holds, padding included.
-  [[nodiscard]] std::size_t memory_bytes() const noexcept {
-    return size() == 0 ? 0 : static_cast<std::size_t>(view_.stream[1] - view_.stream[0]) * sizeof(Box);
-  }
+  [[nodiscard]] std::size_t memory_bytes() const noexcept;
   /// A view that shows later updates. Valid until the stream is assigned to, moved from or destroyed.
   [[nodiscard]] BoxView view() const noexcept { return view_; }
   /// Lets a stream be passed as a view.
@@ -176,9 +174,7 @@ class SHAFTCULL_EXPORT SphereStream {
   /// The number of spheres.
   [[nodiscard]] std::size_t size() const noexcept { return view_.count; }
   /// The bytes of spheres that the stream holds, padding included.
-  [[nodiscard]] std::size_t memory_bytes() const noexcept {
-    return size() == 0 ? 0 : static_cast<std::size_t>(view_.stream[1] - view_.stream[0]) * sizeof(Sphere);
-  }
+  [[nodiscard]] std::size_t memory_bytes() const noexcept;
   /// A view that shows later updates. Valid until the stream is assigned to, moved from or destroyed.
   [[nodiscard]] SphereView view() const noexcept { return view_; }
   /// Lets a stream be passed as a view.

@@ -49,11 +49,15 @@ using StridedOf = std::conditional_t<std::is_same_v<Bound, Box>, StridedBoxes, S
 template <class Bound>
 class BoundsTree {
   static_assert(std::is_same_v<Bound, Box> || std::is_same_v<Bound, Sphere>, "bounds are boxes or spheres");
+  struct NoCentreExtents;  // never defined
 
  public:
   /// The types that bounds are read from: streams, and the user's own records.
   using View = ViewOf<Bound>;
   using Records = StridedOf<Bound>;
+  /// Boxes by centre and half extents, for trees of boxes. Corners that are not floats are rounded outwards. For trees
+  /// of spheres, there are no objects of this type.
+  using CentreExtents = std::conditional_t<std::is_same_v<Bound, Box>, StridedCentreExtents, NoCentreExtents>;
 
   BoundsTree() noexcept;
   /// Copies and sorts the bounds. O(n log n). Bounds much larger than their share of space, and empty boxes, get nodes
@@ -62,8 +66,7 @@ class BoundsTree {
   explicit BoundsTree(const View& bounds);
   explicit BoundsTree(const Records& bounds);
   explicit BoundsTree(std::span<const Bound> bounds);
-  /// The same for trees of boxes only. Corners that are not floats are rounded outwards.
-  explicit BoundsTree(const StridedCentreExtents& bounds) requires std::is_same_v<Bound, Box>;
+  explicit BoundsTree(const CentreExtents& bounds);
   BoundsTree(const BoundsTree& other);
   BoundsTree& operator=(const BoundsTree& other);
   BoundsTree(BoundsTree&& other) noexcept;
@@ -88,7 +91,7 @@ class BoundsTree {
   void update(const View& all);
   void update(const Records& all);
   void update(std::span<const Bound> all);
-  void update(const StridedCentreExtents& all) requires std::is_same_v<Bound, Box>;
+  void update(const CentreExtents& all);
 
   /// Replaces bound indices[i] with the value at i; if an index occurs twice, the last value counts. Queries throw
   /// NeedsRefit until refit() is called. O(indices.size()), except the first call, which is O(size()). Throws
@@ -97,8 +100,7 @@ class BoundsTree {
   void update(std::span<const std::uint32_t> indices, const View& bounds);
   void update(std::span<const std::uint32_t> indices, const Records& bounds);
   void update(std::span<const std::uint32_t> indices, std::span<const Bound> bounds);
-  void update(std::span<const std::uint32_t> indices,
-              const StridedCentreExtents& bounds) requires std::is_same_v<Bound, Box>;
+  void update(std::span<const std::uint32_t> indices, const CentreExtents& bounds);
 
   /// Fits the nodes to bounds updated since the last refit: only the nodes above them if they are few, otherwise all
   /// nodes in one pass.

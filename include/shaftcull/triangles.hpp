@@ -54,8 +54,8 @@ struct Triangle {
 
 /// How triangles are tested, as defined above.
 enum class TriangleTest : std::uint8_t {
-  vertices,  ///< the box around the vertices, and added planes
   exact,     ///< the triangle itself
+  vertices,  ///< the box around the vertices, and added planes
 };
 
 /// `count` triangles in the user's memory as nine separate streams of floats: x, y, z of vertex 0, then of vertex 1,
@@ -131,9 +131,7 @@ class SHAFTCULL_EXPORT TriangleStream {
   /// The number of triangles.
   [[nodiscard]] std::size_t size() const noexcept { return view_.count; }
   /// The bytes of triangles that the stream holds, padding included.
-  [[nodiscard]] std::size_t memory_bytes() const noexcept {
-    return size() == 0 ? 0 : (bit_words(size()) | 1U) * 64 * sizeof(Triangle);
-  }
+  [[nodiscard]] std::size_t memory_bytes() const noexcept;
   /// A view that shows later updates. Valid until the stream is assigned to, moved from or destroyed.
   [[nodiscard]] TriangleView view() const noexcept { return view_; }
   /// Lets a stream be passed as a view.

@@ -58,6 +58,7 @@ struct ViewFactorOptions {
   std::uint32_t part = 0;
   std::uint32_t parts = 1;                                                ///< 1 or more, and above `part`
   std::function<bool(const VisibilityProgress& progress)> progress = {};  ///< as VisibilityOptions::progress
+  std::uint64_t reserved[4] = {};                                         ///< for options of later versions
 };
 
 /// View factors of all pairs of a set: a sparse matrix in rows (CSR). Row i has the factors from patch i to others:

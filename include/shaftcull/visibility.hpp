@@ -99,7 +99,7 @@ enum class Sight : std::uint8_t {
 };
 
 /// Returns the name, as in files and in Python: "undecided", "clear", "occluded", "facing_away".
-[[nodiscard]] SHAFTCULL_EXPORT const char* name(Sight sight) noexcept;
+[[nodiscard]] SHAFTCULL_EXPORT std::string_view name(Sight sight) noexcept;
 
 /// The sides from which a patch with corners is seen.
 enum class PatchSides : std::uint8_t {
@@ -333,6 +333,7 @@ struct VisibilityOptions {
   /// throws Cancelled. If it throws, the call throws the same exception. Calls of `resolve` in progress return first,
   /// so a long call delays the exception.
   std::function<bool(const VisibilityProgress& progress)> progress = {};
+  std::uint64_t reserved[4] = {};  ///< for options of later versions
 };
 
 /// Thrown by a call that its `progress` callback ends.

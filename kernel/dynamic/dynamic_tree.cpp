@@ -197,7 +197,7 @@ Bound DynamicTree<Bound>::operator[](BoundId id) const {
   return writer_->bound(id.index);
 }
 template <class Bound>
-std::size_t DynamicTree<Bound>::count() const noexcept {
+std::size_t DynamicTree<Bound>::bound_count() const noexcept {
   return writer_ ? writer_->count : 0;
 }
 template <class Bound>
@@ -221,9 +221,9 @@ const TreeSnapshot<Bound>& DynamicTree<Bound>::committed() const noexcept {
 }
 
 template <class Bound>
-void DynamicTree<Bound>::set_upkeep(double sorted_per_change) {
+void DynamicTree<Bound>::set_sorted_per_change(double sorted_per_change) {
   if (!(sorted_per_change >= 0) || !std::isfinite(sorted_per_change)) {
-    kernel::fail(InvalidArgument("set_upkeep(): sorted_per_change is " + std::to_string(sorted_per_change) +
+    kernel::fail(InvalidArgument("set_sorted_per_change(): sorted_per_change is " + std::to_string(sorted_per_change) +
                                  "; it takes a finite number from 0 up"));
   }
   writer().upkeep.per_change = sorted_per_change;

@@ -38,7 +38,7 @@ TreeSnapshot<Bound>::~TreeSnapshot() {
 }
 
 template <class Bound>
-std::size_t TreeSnapshot<Bound>::count() const noexcept {
+std::size_t TreeSnapshot<Bound>::bound_count() const noexcept {
   return state_ == nullptr ? 0 : state_->count;
 }
 template <class Bound>

@@ -213,9 +213,9 @@ Origin::Origin(const WorldVec3& at) : at_(at) {
   }
 }
 
-Origin Origin::near(const WorldBox& world) {
+Origin Origin::for_world(const WorldBox& world) {
   return kernel::in_float_environment([&] {
-    require_usable("Origin::near", world);
+    require_usable("Origin::for_world", world);
     double extent = 0;
     for (std::size_t k = 0; k != 3; ++k) extent = std::fmax(extent, world.hi[k] / 2 - world.lo[k] / 2);
     Origin origin;

@@ -53,6 +53,10 @@ BoxStream::BoxStream(const StridedCentreExtents& boxes) : BoxStream(NotWritten()
 
 BoxStream::BoxStream(const BoxView& boxes) : BoxStream(NotWritten(), boxes.count) { update(0, boxes); }
 
+std::size_t BoxStream::memory_bytes() const noexcept {
+  return size() == 0 ? 0 : static_cast<std::size_t>(view_.stream[1] - view_.stream[0]) * sizeof(Box);
+}
+
 BoxStream::BoxStream(const BoxStream& other) : BoxStream(NotWritten(), other.size()) {
   std::copy_n(other.view_.stream[0], memory_bytes() / sizeof(float), memory_.get());
 }
@@ -98,6 +102,10 @@ SphereStream::SphereStream(const SphereView& spheres) : SphereStream(NotWritten(
   update(0, spheres);
 }
 
+std::size_t SphereStream::memory_bytes() const noexcept {
+  return size() == 0 ? 0 : static_cast<std::size_t>(view_.stream[1] - view_.stream[0]) * sizeof(Sphere);
+}
+
 SphereStream::SphereStream(const SphereStream& other) : SphereStream(NotWritten(), other.size()) {
   std::copy_n(other.view_.stream[0], memory_bytes() / sizeof(float), memory_.get());
 }
@@ -139,6 +147,10 @@ TriangleStream::TriangleStream(const TriangleView& triangles) : TriangleStream(N
 }
 
 TriangleStream::TriangleStream(const MeshView& mesh) : TriangleStream(NotWritten(), mesh.size()) { update(0, mesh); }
+
+std::size_t TriangleStream::memory_bytes() const noexcept {
+  return size() == 0 ? 0 : (bit_words(size()) | 1U) * 64 * sizeof(Triangle);
+}
 
 TriangleStream::TriangleStream(const TriangleStream& other) : TriangleStream(NotWritten(), other.size()) {
   std::copy_n(other.view_.stream[0], memory_bytes() / sizeof(float), memory_.get());

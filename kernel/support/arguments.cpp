@@ -46,7 +46,7 @@ void refuse_contact(Contact contact) {
 
 void refuse_triangle_test(const char* what, TriangleTest test) {
   kernel::fail(InvalidArgument(std::string(what) + " = " + std::to_string(static_cast<unsigned>(test)) +
-                               " is neither TriangleTest::vertices nor TriangleTest::exact"));
+                               " is neither TriangleTest::exact nor TriangleTest::vertices"));
 }
 
 void refuse_words(const char* what, std::size_t size, std::size_t bounds) {

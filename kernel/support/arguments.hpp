@@ -83,7 +83,7 @@ inline void require_usable_box(const Box& box, const char* noun, std::size_t i) 
 
 /// The test called `what` is one.
 inline void require_triangle_test(const char* what, TriangleTest test) {
-  if (test > TriangleTest::exact) [[unlikely]]
+  if (test > TriangleTest::vertices) [[unlikely]]
     refuse_triangle_test(what, test);
 }
 

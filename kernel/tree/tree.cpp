@@ -68,13 +68,14 @@ BoundsTree<Bound>::BoundsTree(const Records& bounds)
 template <class Bound>
 BoundsTree<Bound>::BoundsTree(std::span<const Bound> bounds) : BoundsTree(kernel::required_records(bounds, "bounds")) {}
 template <class Bound>
-BoundsTree<Bound>::BoundsTree(const StridedCentreExtents& bounds) requires std::is_same_v<Bound, Box> : parts_([&] {
-  if constexpr (std::is_same_v<Bound, Box>) {  // clang 14 instantiates this for spheres, too
-    return built_from<Parts, Bound>(kernel::CentreExtentSource(within_capacity(bounds)));
-  } else {
-    return nullptr;
-  }
-}()) {}
+BoundsTree<Bound>::BoundsTree(const CentreExtents& bounds)
+    : parts_([&] {
+        if constexpr (std::is_same_v<Bound, Box>) {  // there are none for spheres
+          return built_from<Parts, Bound>(kernel::CentreExtentSource(within_capacity(bounds)));
+        } else {
+          return nullptr;
+        }
+      }()) {}
 template <class Bound>
 BoundsTree<Bound>::BoundsTree(const BoundsTree& other) : parts_(copy_of(other.parts_)) {}
 template <class Bound>
@@ -129,7 +130,7 @@ void BoundsTree<Bound>::update(std::span<const Bound> all) {
 }
 
 template <class Bound>
-void BoundsTree<Bound>::update(const StridedCentreExtents& all) requires std::is_same_v<Bound, Box> {
+void BoundsTree<Bound>::update(const CentreExtents& all) {
   if constexpr (std::is_same_v<Bound, Box>) {  // as above
     kernel::in_float_environment([&] { kernel::update_all(of(parts_), kernel::CentreExtentSource(all)); });
   }
@@ -149,8 +150,7 @@ void BoundsTree<Bound>::update(std::span<const std::uint32_t> indices, std::span
 }
 
 template <class Bound>
-void BoundsTree<Bound>::update(std::span<const std::uint32_t> indices,
-                               const StridedCentreExtents& bounds) requires std::is_same_v<Bound, Box> {
+void BoundsTree<Bound>::update(std::span<const std::uint32_t> indices, const CentreExtents& bounds) {
   if constexpr (std::is_same_v<Bound, Box>) {  // as above
     kernel::in_float_environment([&] { kernel::update_some(of(parts_), indices, kernel::CentreExtentSource(bounds)); });
   }

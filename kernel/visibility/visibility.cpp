@@ -65,7 +65,7 @@ SightCounts write_bits(const PatchSet& a, const PatchSet& b, bool is_of_one_set,
 
 }  // namespace
 
-const char* name(Sight sight) noexcept {
+std::string_view name(Sight sight) noexcept {
   switch (sight) {
     case Sight::undecided:
       return "undecided";

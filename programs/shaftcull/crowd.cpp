@@ -101,7 +101,7 @@ void Crowd::take_step() {
 }
 
 void Crowd::swap_trees() noexcept {
-  if (snapshot_.count() != 0) snapshot_ = tree_.snapshot();
+  if (snapshot_.bound_count() != 0) snapshot_ = tree_.snapshot();
 }
 
 void Crowd::place_shafts(double time, std::span<Box> a, std::span<Box> b) const {
@@ -116,7 +116,7 @@ void Crowd::place_shafts(double time, std::span<Box> a, std::span<Box> b) const 
 }
 
 Bounds Crowd::asked() const {
-  if (snapshot_.count() != 0) return snapshot_;
+  if (snapshot_.bound_count() != 0) return snapshot_;
   return ids_.empty() ? Bounds(stream_) : Bounds(tree_);
 }
 

@@ -18,8 +18,8 @@ namespace {
 
 /// A kind of pairs, as tables and files call it.
 struct PairKind {
-  const char* words;
-  const char* key;
+  std::string_view words;
+  std::string_view key;
   std::uint64_t pairs;
 };
 
@@ -100,8 +100,8 @@ std::string text_of(const SeesReport& report) {
   }
   text += "\n";
   Table table({"pairs of patches", "number", "share"});
-  const auto add = [&](const char* words, std::uint64_t pairs) {
-    table.add_row({words, grouped(pairs), fmt::format("{:.3f} %", 100 * share_of(report, pairs))});
+  const auto add = [&](std::string_view words, std::uint64_t pairs) {
+    table.add_row({std::string(words), grouped(pairs), fmt::format("{:.3f} %", 100 * share_of(report, pairs))});
   };
   for (const PairKind& kind : kinds_of(report)) add(kind.words, kind.pairs);
   add("all", report.counts.sights.total());

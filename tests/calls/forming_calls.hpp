@@ -34,7 +34,7 @@ inline void add_forming_calls(CallTable& table) {
   }
   table.add("Origin", false, [worlds](AnswerWords& words) {
     for (const WorldBox& world : worlds) {
-      const Origin origin(Origin::near(world).at());
+      const Origin origin(Origin::for_world(world).at());
       const WorldSphere sphere{world.lo, 1e-42};
       Box around[1];
       Box within[1];

@@ -78,9 +78,10 @@ Found expect_exact_triangles(const Input& input, const std::vector<Triangle>& tr
   const CompiledShaft shaft = shaft_of(input);
   const auto hull = closed_hull(input);
   Found found;
-  std::array<std::vector<bool>, 2> outside;
+  std::vector<bool> outside;
+  std::vector<bool> outside_by_vertices;
   for (const TriangleTest test : tests) {
-    std::vector<bool>& right = outside[static_cast<std::size_t>(test)];
+    std::vector<bool>& right = test == TriangleTest::exact ? outside : outside_by_vertices;
     std::vector<bool> inside;
     for (const Triangle& triangle : triangles) {
       right.push_back(oracle::is_outside(input, triangle, test));
@@ -110,9 +111,9 @@ Found expect_exact_triangles(const Input& input, const std::vector<Triangle>& tr
     }
   }
   for (std::size_t i = 0; i != triangles.size(); ++i) {
-    found.kept += outside[1][i] ? 0U : 1U;
-    found.only_exactly_outside += outside[1][i] && !outside[0][i] ? 1U : 0U;
-    EXPECT_FALSE(outside[0][i] && !outside[1][i]) << "what is outside by vertices is outside";
+    found.kept += outside[i] ? 0U : 1U;
+    found.only_exactly_outside += outside[i] && !outside_by_vertices[i] ? 1U : 0U;
+    EXPECT_FALSE(outside_by_vertices[i] && !outside[i]) << "what is outside by vertices is outside";
   }
   return found;
 }

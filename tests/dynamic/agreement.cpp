@@ -167,7 +167,7 @@ constexpr Box around{{-1, -1, -1}, {101, 101, 101}};
 // More than 128 blocks: nodes above those of blocks are fitted, too.
 TEST(DynamicBoxes, AreFoundWhereTheTreeHasFourLevels) {
   DynamicBoxTree tree;
-  tree.set_upkeep(0);  // so that commits sort nothing, and change blocks in place
+  tree.set_sorted_per_change(0);  // so that commits sort nothing, and change blocks in place
   Random random(19);
   std::vector<Box> boxes;
   for (unsigned i = 0; i != 480000; ++i) boxes.push_back(random.box(0, 100, 0.01F, 0.02F));
@@ -218,11 +218,11 @@ TYPED_TEST(DynamicTrees, ASnapshotThatIsMovedFromHoldsNothing) {
   world.tree.commit();
   TreeSnapshot<TypeParam> other = world.tree.snapshot();
   one = std::move(other);
-  EXPECT_EQ(one.count(), world.model.count());
-  EXPECT_EQ(other.count(), 0U);  // NOLINT(bugprone-use-after-move,clang-analyzer-cplusplus.Move)
+  EXPECT_EQ(one.bound_count(), world.model.count());
+  EXPECT_EQ(other.bound_count(), 0U);  // NOLINT(bugprone-use-after-move,clang-analyzer-cplusplus.Move)
   TreeSnapshot<TypeParam>& itself = one;
   one = std::move(itself);
-  EXPECT_EQ(one.count(), world.model.count());
+  EXPECT_EQ(one.bound_count(), world.model.count());
 }
 
 TYPED_TEST(DynamicTrees, ChangesAreSeenAfterTheCommitAndNotBefore) {
@@ -290,12 +290,12 @@ TYPED_TEST(DynamicTrees, RebuildingSortsEverythingAndCommits) {
   for (int frame = 0; frame != 6; ++frame) {
     world.change({.shape = Shape::wild_sizes, .count = 3000, .insertions = 6, .layers = frame > 2});
     const TreeSnapshot<TypeParam> before = world.tree.snapshot();
-    const std::size_t count = before.count();
+    const std::size_t count = before.bound_count();
     world.tree.rebuild();
     EXPECT_EQ(world.tree.upkeep().sorted_last, world.model.count());
     EXPECT_EQ(world.tree.upkeep().sah_ratio, 1);
     expect_equal(world.tree.committed(), world.model, world.random());
-    EXPECT_EQ(before.count(), count);
+    EXPECT_EQ(before.bound_count(), count);
   }
 }
 
@@ -306,10 +306,10 @@ TYPED_TEST(DynamicTrees, WhatWasMovedFromIsAnEmptyTree) {
   DynamicTree<TypeParam> moved = std::move(world.tree);
   expect_equal(moved.committed(), world.model, world.random());
   DynamicTree<TypeParam>& empty = world.tree;
-  EXPECT_EQ(empty.count(), 0U);
+  EXPECT_EQ(empty.bound_count(), 0U);
   EXPECT_EQ(empty.memory_bytes(), 0U);
   EXPECT_EQ(empty.upkeep().blocks, 0U);
-  EXPECT_EQ(empty.snapshot().count(), 0U);
+  EXPECT_EQ(empty.snapshot().bound_count(), 0U);
   EXPECT_EQ(empty.committed().index_end(), 0U);
   EXPECT_FALSE(empty.has({0, 0}));
   EXPECT_EQ(empty.id_of(0), BoundId{});
@@ -317,7 +317,7 @@ TYPED_TEST(DynamicTrees, WhatWasMovedFromIsAnEmptyTree) {
   EXPECT_THROW(empty.erase({0, 0}), InvalidArgument);
   empty.commit();
   empty.rebuild();
-  empty.set_upkeep(1);
+  empty.set_sorted_per_change(1);
   world.model = {};
   world.change({.count = 300, .insertions = 8});
   empty.commit();

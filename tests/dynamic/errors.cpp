@@ -31,7 +31,7 @@ class DynamicErrors : public testing::Test {
     world_.model.erase(erased);
   }
   ~DynamicErrors() override {
-    EXPECT_EQ(world_.tree.count(), world_.model.count());
+    EXPECT_EQ(world_.tree.bound_count(), world_.model.count());
     world_.tree.commit();
     expect_equal(world_.tree.committed(), world_.model, world_.random());
   }
@@ -175,10 +175,10 @@ TYPED_TEST(DynamicErrors, BadBoundsAreBadInEveryMode) {
 #endif
 
 TYPED_TEST(DynamicErrors, UpkeepIsANumber) {
-  EXPECT_THROW(this->world_.tree.set_upkeep(-1), InvalidArgument);
-  EXPECT_THROW(this->world_.tree.set_upkeep(INFINITY), InvalidArgument);
-  EXPECT_THROW(this->world_.tree.set_upkeep(NAN), InvalidArgument);
-  this->world_.tree.set_upkeep(0);
+  EXPECT_THROW(this->world_.tree.set_sorted_per_change(-1), InvalidArgument);
+  EXPECT_THROW(this->world_.tree.set_sorted_per_change(INFINITY), InvalidArgument);
+  EXPECT_THROW(this->world_.tree.set_sorted_per_change(NAN), InvalidArgument);
+  this->world_.tree.set_sorted_per_change(0);
 }
 
 }  // namespace

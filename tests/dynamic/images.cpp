@@ -43,15 +43,15 @@ TYPED_TEST(DynamicImages, GoOnAsTheTreeThatWasWritten) {
         world->tree.commit();
       }
       if (commit == 11) {
-        one.tree.set_upkeep(0.5);
-        other.tree.set_upkeep(0.5);
+        one.tree.set_sorted_per_change(0.5);
+        other.tree.set_sorted_per_change(0.5);
       }
       const std::vector<std::byte> image = image_of(one.tree);
       ASSERT_EQ(image, image_of(other.tree));
       if ((seed + commit) % 3 == 0) continue;
       other.tree = dynamic_tree_from_image<DynamicTree<TypeParam>>(image);
       ASSERT_EQ(image, image_of(other.tree));
-      EXPECT_EQ(other.tree.count(), other.model.count());
+      EXPECT_EQ(other.tree.bound_count(), other.model.count());
       for (const BoundId& id : other.model.ids) EXPECT_EQ(other.tree.has(id), one.tree.has(id));
       Random asked(commit);
       expect_equal(other.tree.committed(), other.model, asked);
@@ -79,7 +79,7 @@ TYPED_TEST(DynamicImages, AreThoseOfEmptyTreesToo) {
   Tree never_changed;
   EXPECT_EQ(image_bytes(never_changed) % 64, 0U);
   Tree read = dynamic_tree_from_image<Tree>(image_of(never_changed));
-  EXPECT_EQ(read.count(), 0U);
+  EXPECT_EQ(read.bound_count(), 0U);
   World<TypeParam> world(3);
   const TypeParam bound = scene<TypeParam>(world.random(), Shape::uniform, 1).front();
   EXPECT_EQ(read.insert(bound), never_changed.insert(bound));
@@ -91,7 +91,7 @@ TYPED_TEST(DynamicImages, AreThoseOfEmptyTreesToo) {
   read.erase(id);
   read.commit();
   Tree emptied = dynamic_tree_from_image<Tree>(image_of(read));
-  EXPECT_EQ(emptied.count(), 0U);
+  EXPECT_EQ(emptied.bound_count(), 0U);
   EXPECT_FALSE(emptied.has(id));
   EXPECT_EQ(emptied.insert(bound), (BoundId{0, 1}));
 }
@@ -146,7 +146,7 @@ TEST(DynamicImageErrors, FindsDamageAnywhere) {
         << at;
     image[at] = before;
   }
-  EXPECT_EQ(dynamic_tree_from_image<DynamicBoxTree>(image).count(), tree.count());
+  EXPECT_EQ(dynamic_tree_from_image<DynamicBoxTree>(image).bound_count(), tree.bound_count());
 }
 
 // Whatever an image with the right checksum says, indices stay in range.
@@ -156,7 +156,7 @@ TEST(DynamicImageErrors, RefusesContradictions) {
   constexpr std::size_t header = 192;
   const auto indices = static_cast<std::size_t>(tree.committed().index_end());
   const std::size_t free = header + kernel::in_lines(4 * indices);
-  const std::size_t blocks = free + kernel::in_lines(4 * (indices - tree.count()));
+  const std::size_t blocks = free + kernel::in_lines(4 * (indices - tree.bound_count()));
   constexpr std::size_t record = 2432;
   const auto refusal = [&](std::size_t at, std::uint32_t value) {
     std::vector<std::byte> changed = image;

@@ -80,7 +80,7 @@ TEST(TreeUpkeep, CostsWhatItIsAllowedTo) {
   EXPECT_LT(most, 16500U);  // four blocks
 
   Crowd left_alone(20000, 100);
-  left_alone.tree.set_upkeep(0);
+  left_alone.tree.set_sorted_per_change(0);
   for (int frame = 0; frame != 300; ++frame) {
     left_alone.replace(100);
     left_alone.tree.commit();
@@ -92,13 +92,13 @@ TEST(TreeUpkeep, CostsWhatItIsAllowedTo) {
 
 TEST(TreeUpkeep, WhatWaitsIsSortedInTheEnd) {
   Crowd crowd(20000, 100);
-  crowd.tree.set_upkeep(0);
+  crowd.tree.set_sorted_per_change(0);
   for (int frame = 0; frame != 300; ++frame) {
     crowd.replace(100);
     crowd.tree.commit();
   }
   EXPECT_GT(crowd.tree.upkeep().waiting, 10000U);
-  crowd.tree.set_upkeep(0.01);
+  crowd.tree.set_sorted_per_change(0.01);
   for (int frame = 0; frame != 60; ++frame) crowd.tree.commit();  // which change nothing
   EXPECT_EQ(crowd.tree.upkeep().waiting, 0U);
 }
@@ -127,7 +127,7 @@ TEST(TreeUpkeep, MemoryIsTheBoundsAndLittleMore) {
   Crowd crowd(100000, 200);
   crowd.tree.commit();  // the memory for a hundred thousand changes is not kept
   const auto beside = [&] {
-    return static_cast<double>(crowd.tree.memory_bytes()) / static_cast<double>(crowd.tree.count()) - sizeof(Box);
+    return static_cast<double>(crowd.tree.memory_bytes()) / static_cast<double>(crowd.tree.bound_count()) - sizeof(Box);
   };
   EXPECT_LT(beside(), 24) << crowd.tree.upkeep().blocks << " blocks";
   for (int frame = 0; frame != 30; ++frame) {
@@ -150,7 +150,7 @@ TEST(TreeUpkeep, ATreeThatShrinksGivesBlocksBack) {
     if (i % 4000 == 0) tree.commit();
   }
   tree.commit();
-  EXPECT_EQ(tree.count(), 2000U);
+  EXPECT_EQ(tree.bound_count(), 2000U);
   EXPECT_LE(tree.upkeep().blocks, 3U);
 }
 

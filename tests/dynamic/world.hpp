@@ -97,7 +97,7 @@ class World {
       }
       change(index, how);
     }
-    EXPECT_EQ(tree.count(), model.count());
+    EXPECT_EQ(tree.bound_count(), model.count());
   }
   [[nodiscard]] Random& random() { return random_; }
 
@@ -196,7 +196,7 @@ inline void expect_same_contacts(const CompiledShaft& sweep, const Bounds& tree,
 template <class Bound>
 void expect_same_bounds(const TreeSnapshot<Bound>& snapshot, const Model<Bound>& model) {
   ASSERT_EQ(snapshot.index_end(), model.bounds.size());
-  EXPECT_EQ(snapshot.count(), model.count());
+  EXPECT_EQ(snapshot.bound_count(), model.count());
   for (std::uint32_t i = 0; i != model.bounds.size(); ++i) {
     ASSERT_EQ(snapshot.has(i), model.has_bound[i] != 0) << i;
     if (model.has_bound[i] == 0) continue;

@@ -155,7 +155,10 @@ TEST(Origin, WhatIsWrongStaysSoAndIsRefusedByWhoeverTakesIt) {
                 HasSubstr("sphere 0"));
   }
   EXPECT_THAT(message_of([&] { Origin wrong_origin({0, infinite, 0}); }), HasSubstr("Origin"));
-  EXPECT_THAT(message_of([&] { (void)Origin::near(WorldBox{{0, 0, 0}, {1, infinite, 1}}); }), HasSubstr("lo <= hi"));
+  EXPECT_THAT(message_of([&] {
+                (void)Origin::for_world(WorldBox{{0, 0, 0}, {1, infinite, 1}});
+              }),
+              HasSubstr("lo <= hi"));
 }
 
 TEST(Origin, SpheresContainTheTrueOnesAndHardlyMore) {
@@ -291,14 +294,15 @@ TEST(Origin, NearIsInTheMiddleAndRound) {
   RandomWorld world(4);
   for (std::uint64_t i = 0; i != random_cases(2000); ++i) {
     const WorldBox box = world.box_near(world.point());
-    const Origin origin = Origin::near(box);
+    const Origin origin = Origin::for_world(box);
     const double side = std::max({box.hi[0] - box.lo[0], box.hi[1] - box.lo[1], box.hi[2] - box.lo[2]});
     for (std::size_t k = 0; k != 3; ++k) {
       EXPECT_NEAR(origin.at()[k], box.lo[k] / 2 + box.hi[k] / 2, side / 32 + 1e-15 * std::fabs(box.hi[k]));
     }
   }
-  EXPECT_EQ(Origin::near({{4512345.3, 500000.1, 0}, {4513345.3, 501000.1, 90}}).at(), (WorldVec3{4512848, 500496, 48}));
-  EXPECT_EQ(Origin::near({{3, 4, 5}, {3, 4, 5}}).at(), (WorldVec3{3, 4, 5}));
+  EXPECT_EQ(Origin::for_world({{4512345.3, 500000.1, 0}, {4513345.3, 501000.1, 90}}).at(),
+            (WorldVec3{4512848, 500496, 48}));
+  EXPECT_EQ(Origin::for_world({{3, 4, 5}, {3, 4, 5}}).at(), (WorldVec3{3, 4, 5}));
 }
 
 TEST(Origin, ManyAreAsOneByOne) {
@@ -360,7 +364,7 @@ TEST(Origin, OutsideIsCertainInTheWorld) {
   const WorldBox a{{away, away, 0}, {away + 1, away + 1, 1}};
   const WorldBox b{{away + 9, away, 0}, {away + 10, away + 1, 1}};
   const WorldBox wall{{away + 4, away + 1.2, 0}, {away + 5, away + 1.4, 3}};
-  const Origin near = Origin::near({{away, away, 0}, {away + 10, away + 2, 3}});
+  const Origin near = Origin::for_world({{away, away, 0}, {away + 10, away + 2, 3}});
   EXPECT_FALSE(keeps(compile(near.around(a), near.around(b)), near.around(wall)));
   const Origin zero;
   EXPECT_TRUE(

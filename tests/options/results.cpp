@@ -125,8 +125,10 @@ TEST(IndexLists, AreWalkedOverListByList) {
   EXPECT_EQ((*at).data(), lists.indices.data() + 2) << "lists are not copied";
 }
 
-// Up to eight numbers of any type that converts go in braces.
-static_assert(std::is_constructible_v<Numbers, int> && std::is_constructible_v<Numbers, std::size_t, std::uint8_t>);
+// Up to eight integers that fit go in braces.
+static_assert(std::is_constructible_v<Numbers, int> && std::is_constructible_v<Numbers, std::uint32_t, std::uint8_t>);
+static_assert(!std::is_constructible_v<Numbers, std::uint64_t> && !std::is_constructible_v<Numbers, int, std::int64_t>);
+static_assert(!std::is_constructible_v<Numbers, bool> && !std::is_constructible_v<Numbers, double>);
 static_assert(std::is_constructible_v<Numbers, int, int, int, int, int, int, int, int>);
 static_assert(!std::is_constructible_v<Numbers, int, int, int, int, int, int, int, int, int>);
 static_assert(std::is_convertible_v<std::uint32_t, Numbers> && std::is_convertible_v<const Indices&, Numbers>);
@@ -165,7 +167,7 @@ TEST(Numbers, AreOfAllLengthsInBraces) {
   EXPECT_EQ(values({7, 0}), (Indices{7, 0}));
   EXPECT_EQ(values({1, 2, 3, 4, 5, 6, 7}), (Indices{1, 2, 3, 4, 5, 6, 7}));
   EXPECT_EQ(values({8, 7, 6, 5, 4, 3, 2, 0xffffffff}), (Indices{8, 7, 6, 5, 4, 3, 2, 0xffffffff}));
-  const std::size_t index = 4;
+  const std::uint32_t index = 4;
   const std::uint8_t small = 200;
   EXPECT_EQ(values({index, small, 3}), (Indices{4, 200, 3}));
 }

@@ -78,12 +78,12 @@ bill() {
 looked_up() { dpkg-query -W "$@" >/dev/null 2>&1; }
 
 scenario="a library that docs/third-party.md does not list"
-package libshaftcull0.1 "libc6 (>= 2.34), libtbb12, libmagic1"
+package libshaftcull1 "libc6 (>= 2.34), libtbb12, libmagic1"
 bill 1
-says "libshaftcull0.1_$version-1_all.deb depends on libmagic1, of which docs/third-party.md has no row"
+says "libshaftcull1_$version-1_all.deb depends on libmagic1, of which docs/third-party.md has no row"
 
 scenario="a bill of materials"
-package libshaftcull0.1 "libc6 (>= 2.34), libtbb12"
+package libshaftcull1 "libc6 (>= 2.34), libtbb12"
 if looked_up libtbb-dev libxsimd-dev pybind11-dev; then
   bill 0
   python3 - "$work/files" "$version" >"$work/output" 2>&1 <<'PY' || fail "is not what it should be"
@@ -102,7 +102,7 @@ relations = {(r["spdxElementId"], r["relationshipType"], r["relatedSpdxElement"]
 assert {one for one, _, _ in relations} | {other for _, _, other in relations} <= {*items, "SPDXRef-DOCUMENT"}
 of = lambda name: {(kind, items[other]["name"]) for one, kind, other in relations if one == files[name]["SPDXID"]}
 library = {("CONTAINS", "xsimd"), ("DYNAMIC_LINK", "TBB")}
-assert of(f"libshaftcull0.1_{version}-1_all.deb") == library
+assert of(f"libshaftcull1_{version}-1_all.deb") == library
 assert of(f"shaftcull-{version}-cp311-cp311-linux_x86_64.whl") == {*library, ("CONTAINS", "pybind11")}
 assert of(f"shaftcull-{version}.tar.gz") == set()
 xsimd = next(item for item in bill["packages"] if item["name"] == "xsimd")

@@ -296,10 +296,10 @@ TEST(VisibilityErrors, MergedBoxesAreFiniteAndHaveAnInside) {
 }
 
 TEST(VisibilityErrors, SightsHaveNames) {
-  EXPECT_STREQ(name(Sight::undecided), "undecided");
-  EXPECT_STREQ(name(Sight::clear), "clear");
-  EXPECT_STREQ(name(Sight::occluded), "occluded");
-  EXPECT_STREQ(name(Sight::facing_away), "facing_away");
+  EXPECT_EQ(name(Sight::undecided), "undecided");
+  EXPECT_EQ(name(Sight::clear), "clear");
+  EXPECT_EQ(name(Sight::occluded), "occluded");
+  EXPECT_EQ(name(Sight::facing_away), "facing_away");
 }
 
 }  // namespace

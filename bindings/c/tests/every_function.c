@@ -1448,6 +1448,9 @@ static void visibility(void) {
   options = shaftcull_default_visibility_options();
   options.part = 1;
   REFUSED(shaftcull_visibility(a, b, occluders, &options, NULL, NULL, &counts), "part is 1; of 1 part, it is 0");
+  options = shaftcull_default_visibility_options();
+  options.reserved[3] = 1;
+  REFUSED(shaftcull_visibility(a, b, occluders, &options, NULL, NULL, &counts), "options.reserved is not 0");
   CHECK(strcmp(shaftcull_sight_name(SHAFTCULL_SIGHT_CLEAR), "clear") == 0);
   CHECK(strcmp(shaftcull_sight_name(SHAFTCULL_SIGHT_FACING_AWAY), "facing_away") == 0);
   CHECK(strcmp(shaftcull_sight_name(4), "unknown") == 0);
@@ -1518,6 +1521,9 @@ static void rays_and_view_factors(void) {
   options.parts = 2;
   REFUSED(shaftcull_view_factors(walls, occluders, &options, &matrix), "close_rows takes all pairs, and parts is 2");
   options = shaftcull_default_view_factor_options();
+  options.reserved[0] = 1;
+  REFUSED(shaftcull_view_factors(walls, occluders, &options, &matrix), "options.reserved is not 0");
+  options = shaftcull_default_view_factor_options();
   options.rays = 0;
   REFUSED(shaftcull_view_factors(walls, occluders, &options, &matrix), "rays");
   options = shaftcull_default_view_factor_options();
@@ -1551,6 +1557,9 @@ static void rays_and_view_factors(void) {
   static const float no_light[3] = {0, 0, 0};
   REFUSED(shaftcull_lit_fractions(walls, occluders, no_light, 1, NULL, lit), "direction");
   REFUSED(shaftcull_lit_fractions(walls, occluders, lights, 2, &rays, lit), "rays");
+  rays = shaftcull_default_ray_options();
+  rays.reserved[1] = 1;
+  REFUSED(shaftcull_lit_fractions(walls, occluders, lights, 2, &rays, lit), "options.reserved is not 0");
   REFUSED(shaftcull_lit_fractions(NULL, occluders, lights, 2, NULL, lit), "patches is NULL");
   REFUSED(shaftcull_lit_fractions(walls, NULL, lights, 2, NULL, lit), "occluders is NULL");
   REFUSED(shaftcull_lit_fractions(walls, occluders, NULL, 2, NULL, lit), "directions is NULL");

@@ -39,7 +39,10 @@ static_assert(sizeof(void*) != 8 || (has_no_padding<shaftcull_query> && sizeof(s
 static_assert(sizeof(void*) != 8 || has_no_padding<shaftcull_batch_planes>);
 static_assert(sizeof(void*) != 8 ||
               (has_no_padding<shaftcull_undecided_pairs> && has_no_padding<shaftcull_sight_batch>));
-static_assert(sizeof(void*) != 8 || sizeof(shaftcull_visibility_options) == 8 + 6 * 4 + 3 * 8);  // one is a float
+// Of each of these, one or two are floats.
+static_assert(sizeof(void*) != 8 || sizeof(shaftcull_visibility_options) == 8 + 6 * 4 + 3 * 8 + 4 * 8);
+static_assert(sizeof(shaftcull_ray_options) == 8 + 8 + 2 * 4 + 4 * 8);
+static_assert(sizeof(void*) != 8 || sizeof(shaftcull_view_factor_options) == 4 * 8 + 6 * 4 + 2 * 8 + 4 * 8);
 
 // Enumerators are the same numbers in both languages, where calls rely on it.
 template <class Enum>
@@ -51,6 +54,8 @@ static_assert(same(SHAFTCULL_OUTSIDE, Answer::outside) && same(SHAFTCULL_OVERLAP
               same(SHAFTCULL_INSIDE, Answer::inside));
 static_assert(same(SHAFTCULL_DEPTH_ZERO_TO_ONE, ClipDepth::zero_to_one) &&
               same(SHAFTCULL_DEPTH_MINUS_ONE_TO_ONE, ClipDepth::minus_one_to_one));
+static_assert(same(SHAFTCULL_TRIANGLES_EXACT, TriangleTest::exact) &&
+              same(SHAFTCULL_TRIANGLES_BY_VERTICES, TriangleTest::vertices));
 static_assert(same(SHAFTCULL_SIGHT_UNDECIDED, Sight::undecided) && same(SHAFTCULL_SIGHT_CLEAR, Sight::clear) &&
               same(SHAFTCULL_SIGHT_OCCLUDED, Sight::occluded) && same(SHAFTCULL_SIGHT_FACING_AWAY, Sight::facing_away));
 

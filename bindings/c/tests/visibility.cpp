@@ -401,7 +401,7 @@ TEST(CVisibility, DefaultOptionsAreThoseOfCpp) {
   EXPECT_EQ(factors.part, of_factors.part);
   EXPECT_EQ(factors.parts, of_factors.parts);
   for (std::uint32_t sight_of_c = 0; sight_of_c != 4; ++sight_of_c) {
-    EXPECT_STREQ(shaftcull_sight_name(sight_of_c), name(static_cast<Sight>(sight_of_c)));
+    EXPECT_EQ(shaftcull_sight_name(sight_of_c), name(static_cast<Sight>(sight_of_c)));
   }
 }
 

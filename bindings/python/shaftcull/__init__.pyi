@@ -225,7 +225,7 @@ class ConvexHull:
         TypeError or ValueError for other arguments.
         """
     @staticmethod
-    def frustum(matrix: _Floats, depth: _Depth = "zero_to_one", test: _HullTest = "exact") -> ConvexHull:
+    def frustum(matrix: _Floats, depth: _Depth, test: _HullTest = "exact") -> ConvexHull:
         """The volume that a view-projection matrix shows: a ConvexHull.
 
         matrix: float32 (4, 4) that maps column vectors: matrix @ (x, y, z, 1) is in clip space. Round a matrix of
@@ -691,7 +691,7 @@ class BoxTreeSnapshot(Boxes):
     The snapshot never changes. len() is above all indices.
     """
     @property
-    def alive(self) -> int:
+    def bound_count(self) -> int:
         """The number of bounds: int."""
     @property
     def box(self) -> npt.NDArray[np.float32]:
@@ -750,12 +750,12 @@ class DynamicBoxTree(Boxes):
         for a value that is not an index.
         """
     @property
-    def alive(self) -> int:
+    def bound_count(self) -> int:
         """The number of bounds, with all changes: int."""
     @property
     def memory_bytes(self) -> int:
         """The memory that it holds, in bytes: int."""
-    def set_upkeep(self, sorted_per_change: float) -> None:
+    def set_sorted_per_change(self, sorted_per_change: float) -> None:
         """Sets how many bounds a commit may re-sort per change; 2 at first. A larger number keeps queries faster, and
         makes commits slower. ValueError for a negative or infinite number.
         """
@@ -901,7 +901,7 @@ class SphereTreeSnapshot(Spheres):
     The snapshot never changes. len() is above all indices.
     """
     @property
-    def alive(self) -> int:
+    def bound_count(self) -> int:
         """The number of bounds: int."""
     @property
     def box(self) -> npt.NDArray[np.float32]:
@@ -960,12 +960,12 @@ class DynamicSphereTree(Spheres):
         for a value that is not an index.
         """
     @property
-    def alive(self) -> int:
+    def bound_count(self) -> int:
         """The number of bounds, with all changes: int."""
     @property
     def memory_bytes(self) -> int:
         """The memory that it holds, in bytes: int."""
-    def set_upkeep(self, sorted_per_change: float) -> None:
+    def set_sorted_per_change(self, sorted_per_change: float) -> None:
         """Sets how many bounds a commit may re-sort per change; 2 at first. A larger number keeps queries faster, and
         makes commits slower. ValueError for a negative or infinite number.
         """
@@ -1144,7 +1144,7 @@ class Occluders:
     @property
     def first(self) -> dict[str, int]:
         """The number of the first occluder of each argument that was given: a dict such as
-        {'solids': 0, 'triangles': 12}. The key for `boxes` is 'occluders'.
+        {'boxes': 0, 'triangles': 12}.
         """
     def box(self, occluder: int) -> npt.NDArray[np.float32]:
         """The box around one occluder: float32 (6,). IndexError for a number out of range."""
@@ -1325,7 +1325,7 @@ class Origin:
     """
     def __init__(self, at: npt.ArrayLike = (0, 0, 0)) -> None: ...
     @staticmethod
-    def near(points: npt.ArrayLike) -> Origin:
+    def for_points(points: npt.ArrayLike) -> Origin:
         """An origin near the middle of points (n, 3), such as the corners of a scene. Its coordinates are multiples of
         a power of two. ValueError for no points, and for a point that is not finite.
         """
@@ -1481,7 +1481,7 @@ def points(points: _Floats, *, rounding: _Rounding | None = None) -> npt.NDArray
     points: float32. rounding: 'outwards' also accepts float64; each box then contains its point. TypeError or
         ValueError for other arguments.
     """
-def view_planes(matrix: _Floats, depth: _Depth = "zero_to_one") -> npt.NDArray[np.float32]:
+def view_planes(matrix: _Floats, depth: _Depth) -> npt.NDArray[np.float32]:
     """The planes of a view frustum, with normals outwards, for cutting shafts to the view: float32 (k, 4), k up to
     6, normal and offset.
 

@@ -108,7 +108,7 @@ The snapshot never changes. len() is above all indices.)")
                                .format(Of::plural, Of::name);
   py::class_<Made, HolderOf<Bound>>(module, name.c_str(), text.c_str())
       .def_property_readonly(
-          "alive", [](const Made& self) { return self.owner.count(); }, "The number of bounds: int.")
+          "bound_count", [](const Made& self) { return self.owner.bound_count(); }, "The number of bounds: int.")
       .def_property_readonly(
           "box", [](const Made& self) { return array_of(self.owner.box()); },
           "float32 (6,): the box around all bounds.");
@@ -262,15 +262,16 @@ id without a bound.)")
 The ids of the bounds that have these indices now: int64 (k,). -1 for an index without a bound. IndexError
 for a value that is not an index.)")
       .def_property_readonly(
-          "alive", [](const Made& self) { return self.owner.count(); }, "The number of bounds, with all changes: int.")
+          "bound_count", [](const Made& self) { return self.owner.bound_count(); },
+          "The number of bounds, with all changes: int.")
       .def_property_readonly(
           "memory_bytes", [](const Made& self) { return self.owner.memory_bytes(); },
           "The memory that it holds, in bytes: int.")
       .def(
-          "set_upkeep",
+          "set_sorted_per_change",
           [](Made& self, double sorted_per_change) {
             const Changing changing(self.usage);
-            self.owner.set_upkeep(sorted_per_change);
+            self.owner.set_sorted_per_change(sorted_per_change);
           },
           arg("sorted_per_change"), R"(
 Sets how many bounds a commit may re-sort per change; 2 at first. A larger number keeps queries faster, and

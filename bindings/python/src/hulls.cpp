@@ -92,7 +92,7 @@ TypeError or ValueError for other arguments.)")
             const py::gil_scoped_release release;
             return std::make_shared<ConvexHull>(frustum(sixteen(floats), in_view, by));
           },
-          arg("matrix"), arg("depth") = "zero_to_one", arg("test") = "exact", R"(
+          arg("matrix"), arg("depth"), arg("test") = "exact", R"(
 The volume that a view-projection matrix shows: a ConvexHull.
 
 matrix: float32 (4, 4) that maps column vectors: matrix @ (x, y, z, 1) is in clip space. Round a matrix of
@@ -139,7 +139,7 @@ towards_sun: float32 (3,), not 0. TypeError or ValueError for other arguments.)"
         const ViewPlanes planes = view_planes(sixteen(matrix_in(matrix)), depth_in(depth));
         return rows_of(std::span<const Plane>(planes.begin(), planes.end()));
       },
-      arg("matrix"), arg("depth") = "zero_to_one", R"(
+      arg("matrix"), arg("depth"), R"(
 The planes of a view frustum, with normals outwards, for cutting shafts to the view: float32 (k, 4), k up to
 6, normal and offset.
 

@@ -57,7 +57,7 @@ auto while_hearing(Options options, const py::object& progress, Call&& call) {
 /// Numbers of pairs by the names of their kinds.
 [[nodiscard]] inline py::dict counts_of(const SightCounts& counts) {
   py::dict dict;
-  for (const Sight sight : all_sights) dict[name(sight)] = counts.of(sight);
+  for (const Sight sight : all_sights) dict[py::str(name(sight))] = counts.of(sight);
   return dict;
 }
 

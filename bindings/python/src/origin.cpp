@@ -49,7 +49,7 @@ WorldVec3 point_in(const py::object& given, const std::string& name) {
 
 py::array_t<double> coordinates_of(const WorldVec3& point) { return py::array_t<double>(3, point.data()); }
 
-Origin origin_near(const py::object& given) {
+Origin origin_for_points(const py::object& given) {
   const Doubles array = doubles_in(given, "points", 3);
   if (array.size() == 0) throw py::value_error("points is empty; an origin is near one or more");
   WorldBox world{{array.data()[0], array.data()[1], array.data()[2]}, {}};
@@ -61,7 +61,7 @@ Origin origin_near(const py::object& given) {
     world.lo[axis] = std::min(world.lo[axis], number);
     world.hi[axis] = std::max(world.hi[axis], number);
   }
-  return Origin::near(world);
+  return Origin::for_world(world);
 }
 
 py::array_t<float> relative_boxes(const Origin& origin, const py::object& given, bool within) {
@@ -114,7 +114,7 @@ here: NaN and lo > hi stay.)")
       .def(py::init([](const py::object& at) { return Origin(point_in(at, "at")); }),
            arg("at") = py::make_tuple(0, 0, 0),
            "at: (3,), by default the origin of the world. ValueError for a point that is not finite.")
-      .def_static("near", &origin_near, arg("points"), R"(
+      .def_static("for_points", &origin_for_points, arg("points"), R"(
 An origin near the middle of points (n, 3), such as the corners of a scene. Its coordinates are multiples of
 a power of two. ValueError for no points, and for a point that is not finite.)")
       .def_property_readonly(

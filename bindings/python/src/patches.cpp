@@ -158,7 +158,8 @@ OccludersHolder occluders_in(const py::object& boxes, const OccluderArguments& m
   const auto add = [&](const py::object& given, const char* name, auto&& to_all) {
     if (given.is_none()) return;
     try {
-      holder.first.emplace_back(name, to_all(given, name));
+      const std::size_t first = to_all(given, name);
+      holder.first.emplace_back(&given == &boxes ? "boxes" : name, first);
     } catch (const BadBound& bad) {
       const std::string what = bad.what();
       throw BadBound(bad.index(), what.rfind(name, 0) == 0 ? what : std::string(name) + ": " + what);
@@ -262,7 +263,7 @@ How many solids were found in the triangles: a dict with 'hulls' (convex bodies)
           "first", [](const OccludersHolder& self) { return dict_of(self.first); },
           R"(
 The number of the first occluder of each argument that was given: a dict such as
-{'solids': 0, 'triangles': 12}. The key for `boxes` is 'occluders'.)")
+{'boxes': 0, 'triangles': 12}.)")
       .def(
           "box",
           [](const OccludersHolder& self, const py::object& occluder) {

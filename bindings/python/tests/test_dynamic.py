@@ -46,7 +46,7 @@ def test_answers_are_those_of_a_stream(dynamic, stream, some):
         shaken = random.permutation(list(alive))[:20]
         tree.move_by(shaken, np.float32(random.uniform(-1, 1, (20, 3))))
         alive.update(zip(map(int, shaken), tree.values(shaken)))
-        assert tree.alive == len(alive)
+        assert tree.bound_count == len(alive)
         tree.commit()
         numbers = list(alive)
         indices = np.array([number & INDEX for number in numbers])
@@ -72,11 +72,11 @@ def test_snapshots_stay_as_they_are(dynamic, stream, some):
     tree.commit()
     before = tree.snapshot()
     tree.erase(ids[:500])
-    assert len(tree) == 1000 and tree.alive == 500
+    assert len(tree) == 1000 and tree.bound_count == 500
     tree.commit()
     shaft = shaftcull.Shafts.between([0, 0, 0, 1, 1, 1], [9, 9, 9, 10, 10, 10])
     assert np.array_equal(before.cull(shaft), stream(bounds).cull(shaft))
-    assert before.alive == 1000 and tree.snapshot().alive == 500
+    assert before.bound_count == 1000 and tree.snapshot().bound_count == 500
     tree.rebuild()
     assert tree.upkeep["sorted_last"] == 500
     assert not tree.cull(shaft)[:500].any()
@@ -141,8 +141,8 @@ def test_wrong_arguments_are_named():
     with pytest.raises(ValueError, match=r"move\(\) got 1 ids and 2 bounds"):
         tree.move([number], [[0, 0, 0, 1, 1, 1]] * 2)
     with pytest.raises(ValueError, match="sorted_per_change"):
-        tree.set_upkeep(-1)
-    assert tree.alive == 1
+        tree.set_sorted_per_change(-1)
+    assert tree.bound_count == 1
     assert tree.insert(np.zeros((0, 6), np.float32)).size == 0
     tree.commit()
     assert tree.upkeep["blocks"] == 1 and tree.memory_bytes > 0
@@ -161,8 +161,8 @@ def test_threads_read_snapshots_while_the_tree_changes():
     def read():
         while not is_over.is_set():
             now = tree.snapshot()
-            if now.alive != 5000 or now.count_classified(everything)[1] != 5000:
-                faults.append(now.alive)
+            if now.bound_count != 5000 or now.count_classified(everything)[1] != 5000:
+                faults.append(now.bound_count)
 
     readers = [threading.Thread(target=read) for _ in range(2)]
     for reader in readers:

@@ -383,8 +383,8 @@ def test_patches_and_occluders_of_float64_are_contained():
         (lambda x: sc.TriangleTree(x(9)), "triangles"),
         (lambda x: sc.TriangleStream(x(3), [[0, 1, 2]]), "triangles"),
         (lambda x: sc.ConvexHull(x(3)), "points"),
-        (lambda x: sc.ConvexHull.frustum(x(4)), "matrix"),
-        (lambda x: sc.view_planes(x(4)), "matrix"),
+        (lambda x: sc.ConvexHull.frustum(x(4), "zero_to_one"), "matrix"),
+        (lambda x: sc.view_planes(x(4), "zero_to_one"), "matrix"),
         (lambda x: sc.merged_boxes(x(6)), "boxes"),
         (lambda x: sc.inscribed_box(x(3)), "corners"),
         (lambda x: sc.view_factor(x(3), [[0] * 3] * 3), "from_corners"),
@@ -510,7 +510,7 @@ def test_an_origin_makes_bounds_that_contain_what_they_are_given():
             assert not is_kept or sum(F(float(plane[k])) * (point[k] - F(at[k])) for k in range(3)) <= F(float(plane[3]))
     np.testing.assert_array_equal(origin.planes([1, 0, 0, at[0] + 0.5], region), [1, 0, 0, 0.5])
 
-    near = sc.Origin.near(middle)
+    near = sc.Origin.for_points(middle)
     assert np.abs(near.at - middle.mean(axis=0)).max() < 100 and (near.at % 8 == 0).all()
     one = origin.boxes(boxes[0])
     assert one.shape == (6,) and (one == around[0]).all()
@@ -530,10 +530,10 @@ def test_an_origin_makes_bounds_that_contain_what_they_are_given():
         (lambda: origin.planes([[1, 0, 0, 0], [1, 0, np.nan, 0]], region), "plane 1 is not finite"),
         (lambda: origin.planes(planes, region[[3, 4, 5, 0, 1, 2]]), "lo <= hi"),
         (lambda: origin.to_world(boxes.astype(np.float32)), r"\(n, 3\)"),
-        (lambda: sc.Origin.near(np.empty((0, 3))), "points is empty"),
-        (lambda: sc.Origin.near([[0, 0, np.nan]]), "not finite"),
-        (lambda: sc.Origin.near([[0, 0, np.nan], [1, 1, 1]]), "not finite"),
-        (lambda: sc.Origin.near([[0, 0, 0], [1, np.inf, 1], [2, 2, 2]]), "not finite"),
+        (lambda: sc.Origin.for_points(np.empty((0, 3))), "points is empty"),
+        (lambda: sc.Origin.for_points([[0, 0, np.nan]]), "not finite"),
+        (lambda: sc.Origin.for_points([[0, 0, np.nan], [1, 1, 1]]), "not finite"),
+        (lambda: sc.Origin.for_points([[0, 0, 0], [1, np.inf, 1], [2, 2, 2]]), "not finite"),
     ]:
         with pytest.raises(ValueError, match=error):
             wrong()

@@ -227,7 +227,7 @@ def test_occluders_of_all_sorts():
     occluders = sc.Occluders(box, **solid, triangles=five, groups=[0, 2, 5])
     assert occluders.found == {}
     assert len(occluders) == 7
-    assert occluders.first == {"occluders": 0, "solids": 1, "hulls": 3, "polygons": 4, "triangles": 5}
+    assert occluders.first == {"boxes": 0, "solids": 1, "hulls": 3, "polygons": 4, "triangles": 5}
     np.testing.assert_array_equal(occluders.box(2), box)
     np.testing.assert_array_equal(occluders.box(4), [5, -9, -9, 5, 9, 9])
     assert list(occluders.triangles(6)) == [2, 3, 4] and len(occluders.triangles(0)) == 0

@@ -143,7 +143,7 @@ def test_shafts_keep_the_hulls_that_they_were_made_of():
 
 
 def test_frusta_see_what_is_in_view():
-    view = sc.ConvexHull.frustum(VIEW)
+    view = sc.ConvexHull.frustum(VIEW, "zero_to_one")
     tree = sc.BoxTree([[0, 0, -3, 1, 1, -2], [0, 0, 2, 1, 1, 3], [4, 0, -3, 5, 1, -2], [0, 0, -12, 1, 1, -10]])
     np.testing.assert_array_equal(tree.cull(view), [True, False, False, False])
     light = view.casters([0, 20, -5])
@@ -154,19 +154,19 @@ def test_frusta_see_what_is_in_view():
     sun = view.casters_towards([0, 1, 0])
     np.testing.assert_array_equal(above.cull(sun), [True, False])
     np.testing.assert_array_equal(sun.directions, [[0, 1, 0]])
-    assert sc.view_planes(VIEW).shape == (6, 4)
+    assert sc.view_planes(VIEW, "zero_to_one").shape == (6, 4)
     np.testing.assert_array_equal(
-        tree.cull(sc.Shafts.between([0, 0, -3, 0, 0, -3], [9, 0, -3, 9, 0, -3], planes_a=sc.view_planes(VIEW))),
+        tree.cull(sc.Shafts.between([0, 0, -3, 0, 0, -3], [9, 0, -3, 9, 0, -3], planes_a=sc.view_planes(VIEW, "zero_to_one"))),
         [True, False, False, False],
     )
     opengl = sc.ConvexHull.frustum(VIEW, "minus_one_to_one")
     assert opengl.box[5] > view.box[5]
     for wrong, match in (
         (lambda: sc.ConvexHull.frustum(VIEW, "reversed"), "'reversed'"),
-        (lambda: sc.ConvexHull.frustum(VIEW, test="quick"), "'quick'.*'exact' or 'conservative'"),
+        (lambda: sc.ConvexHull.frustum(VIEW, "zero_to_one", test="quick"), "'quick'.*'exact' or 'conservative'"),
         (lambda: sc.ConvexHull(np.zeros((1, 3), np.float32), test="quick"), "'quick'.*'exact' or 'conservative'"),
-        (lambda: sc.ConvexHull.frustum(VIEW[:3]), r"matrix has shape \(3, 4\)"),
-        (lambda: sc.ConvexHull.frustum(np.zeros((4, 4), np.float32)), "invertible|matrix"),
+        (lambda: sc.ConvexHull.frustum(VIEW[:3], "zero_to_one"), r"matrix has shape \(3, 4\)"),
+        (lambda: sc.ConvexHull.frustum(np.zeros((4, 4), np.float32), "zero_to_one"), "invertible|matrix"),
         (lambda: sc.ConvexHull([]), "point"),
         (lambda: sc.ConvexHull(np.zeros((33, 3), np.float32)), "32"),
         (lambda: sc.ConvexHull([[0, 0, 0]], [[0, 0, 0]]), "direction"),

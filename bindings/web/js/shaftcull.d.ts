@@ -94,7 +94,7 @@ export interface Origin {
 
 /** One instance of the library. */
 export interface Shaftcull {
-  /** The version of the C++ library, for example '0.1.0'. */
+  /** The version of the C++ library, for example '1.0.0'. */
   readonly version: string;
   /** The names of all instruction sets, slowest first: 'scalar' and 'portable128'. */
   readonly instructionSets: readonly string[];
