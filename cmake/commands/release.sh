@@ -6,13 +6,6 @@ version_at() {
   sed -n 's/^#define SHAFTCULL_VERSION_\(MAJOR\|MINOR\|PATCH\) \([0-9]*\)$/\2/p' "$1/include/shaftcull/version.hpp" | paste -sd .
 }
 
-# soname_of VERSION: the part of a version that is in the names of the shared libraries.
-soname_of() {
-  local numbers
-  IFS=. read -ra numbers <<<"$1"
-  if [[ ${numbers[0]} == 0 ]]; then echo "0.${numbers[1]}"; else echo "${numbers[0]}"; fi
-}
-
 # unpack COMMIT FOLDER: puts the sources of a commit into a new folder.
 unpack() {
   rm -rf "$2"
@@ -101,17 +94,17 @@ command_abi() {
 }
 
 # compare_interfaces COMMIT [OLDER]: fails if a program that was linked with the older commit might not run with the shared libraries of
-# the newer one. The older one is the last release with the same soname, unless another is named.
+# the newer one. The older one is the last release with the same major version, unless another is named.
 compare_interfaces() {
   local commit=$1 older=${2:-} work=$root/build/abi version name library status=0 side
   unpack "$commit" "$work/newer"
   version=$(version_at "$work/newer")
   if [[ ! $older ]]; then
     while read -r name; do
-      if [[ $(soname_of "${name#v}") == "$(soname_of "$version")" && $(commit_of "$name") != "$commit" ]]; then older=$name && break; fi
-    done < <(git -C "$root" tag --list 'v[0-9]*' --sort=-version:refname --merged "$commit")
+      if [[ $(commit_of "$name") != "$commit" ]]; then older=$name && break; fi
+    done < <(git -C "$root" tag --list "v${version%%.*}.*" --sort=-version:refname --merged "$commit")
     if [[ ! $older ]]; then
-      echo "No earlier release has libraries of the soname $(soname_of "$version"), so there is no interface to compare with."
+      echo "No earlier release has the major version ${version%%.*}, so there is no interface to compare with."
       return 0
     fi
   fi
@@ -126,6 +119,6 @@ compare_interfaces() {
       "$work/older/build/$library" "$work/newer/build/$library" || status=$?
   done
   [[ $status -eq 0 ]] || stop "cmake/run: programs that were linked with $older may not run with the libraries of $version." \
-    "A change of the interface needs a new soname, and so a new $([[ $version == 0.* ]] && echo minor || echo major) version."
+    "A change of the interface needs a new major version."
   echo "Programs that were linked with $older run with the libraries of $version."
 }
