@@ -34,7 +34,7 @@ command_release() {
     stop "cmake/run: the sources of $name are of version $version. Set the version in include/shaftcull/version.hpp, and move the tag."
   fi
   for file in CITATION.cff:"version: $version" cmake/packaging/vcpkg/shaftcull/vcpkg.json:"\"version\": \"$version\"" \
-    cmake/packaging/debian/changelog:"shaftcull ($version-" CHANGELOG.md:"## $version"; do
+    cmake/packaging/debian/changelog:"shaftcull ($version-" docs/shaftcull.1:"\"shaftcull $version\"" CHANGELOG.md:"## $version"; do
     if grep -qF -- "${file#*:}" "$work/first/${file%%:*}"; then continue; fi
     if [[ $name == v[0-9]* ]]; then stop "cmake/run: ${file%%:*} of $name lacks \"${file#*:}\" (docs/releasing.md)"; fi
     echo "cmake/run: ${file%%:*} lacks \"${file#*:}\", which a tag would need"

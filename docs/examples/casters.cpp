@@ -33,9 +33,9 @@ int main() {
   const sc::Vec3 bulb{2, 2, 10};
   print("point light", sc::compile(sc::Box{bulb, bulb}, receiver), tree);
 
-  // The shaft between a light and a receiver that have a size holds every ray from the one to
-  // the other. Closed contact would keep what stands on the floor beside the receiver, or hangs
-  // beside the lamp; open contact leaves out what only touches.
+  // The shaft between an area light and a receiver holds every ray between them. Closed contact
+  // would keep objects that stand on the floor beside the receiver, or hang beside the lamp;
+  // open contact leaves out objects that only touch the shaft.
   const sc::Box lamp{{1, 1, 10}, {3, 3, 10}};
   const sc::CompiledShaft lit = sc::compile(lamp, receiver, sc::Contact::open);
   print("area light", lit, tree);

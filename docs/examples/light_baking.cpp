@@ -22,7 +22,7 @@ int main() {
   std::vector<sc::Box> objects = walls;
   objects.push_back({{1, 1, 0.5F}, {2, 2, 1}});  // the box around the table
   const sc::BoxTree occluders(objects);          // all that may be in the way
-  const sc::BoxTree solids(walls);  // what fills its box: a wall does, a table does not
+  const sc::BoxTree solids(walls);  // boxes that are filled: a wall is, a table is not
 
   // One shaft for each pair of a floor patch and a ceiling patch. With open contact the floor
   // beside a patch, and the wall that it lies on, are not in its way.

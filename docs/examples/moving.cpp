@@ -14,8 +14,8 @@ struct Body {
   sc::Vec3 travel;  // in this frame
 };
 
-// The space that a sweeps over, as seen from b. a is made larger by the rounding error of the
-// difference.
+// The space that body a sweeps over, as seen from body b. The box of a is made larger by the
+// rounding error of the difference.
 sc::CompiledShaft seen_from(const Body& b, const Body& a) {
   sc::Vec3 travel{};
   float error = 0;

@@ -11,8 +11,8 @@ namespace sc = shaftcull;
 
 namespace {
 
-// The character stops so far short of a box, so that rounding cannot put it into the box: many
-// units in the last place of a position.
+// The character stops this far short of a box, so that rounding cannot put it into the box:
+// many units in the last place of a position.
 constexpr float skin = 1.0F / 1024;
 constexpr int most_hits = 4;  // in a frame: floor, two walls, and a rest
 

@@ -28,7 +28,7 @@ int main() {
   const std::vector<sc::IndexPair> pairs = {{0, 1}, {0, 2}, {1, 2}};
   const sc::BoxStream end_boxes(ends);
   std::vector<sc::CompiledShaft> shafts(pairs.size());
-  sc::compile_batch(end_boxes, end_boxes, pairs, shafts);  // 5 to 9 ns a shaft
+  sc::compile_batch(end_boxes, end_boxes, pairs, shafts);  // 5 to 9 ns per shaft
 
   sc::IndexLists lists;
   list_many(shafts, boxes, lists);  // in parallel

@@ -329,7 +329,7 @@ void add_cull(CLI::App& program) {
       "The answer for a candidate is \"inside\" if it lies wholly inside the shaft, and otherwise \"overlap\".\n"
       "With --solid, it is \"blocks\" if every segment between the two ends passes through the candidate.\n"
       "With --times, each candidate has the first time at which the moving box touches it, rounded down. The\n"
-      "time is a share of the displacement, or a multiple of it with --without-end. For a shadow, it is 0 at\n"
+      "time is a share of the displacement, or a multiple of it with --infinite. For a shadow, it is 0 at\n"
       "the occluder, and 1 at twice its distance from the light.\n"
       "Parts are groups of triangles of one object that lie close together. The object is halved along its\n"
       "widest axis, and its halves again, until no part has more than a 64th of the triangles of the file.");

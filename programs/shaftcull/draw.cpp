@@ -344,7 +344,7 @@ void add_draw(CLI::App& program) {
       "By default, the shaft lies between two boxes. With --swept, it is the volume that a body\n"
       "sweeps over; with --shadow, the volume that an occluder can shadow from a light; with\n"
       "--hull, a convex hull. Shafts without end are cut off at the edge of the picture.\n"
-      "Times are shares of the displacement, or multiples of it with --without-end. For a shadow,\n"
+      "Times are shares of the displacement, or multiples of it with --infinite. For a shadow,\n"
       "the time is 0 at the occluder, and 1 at twice its distance from the light.\n"
       "Triangles are tested exactly. They have no times.");
   draw.callback([options] { run(*options); });

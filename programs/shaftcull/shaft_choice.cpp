@@ -44,7 +44,7 @@ void ShaftChoice::add_options(CLI::App& subcommand, CLI::Option* to) {
                                "The volume that a box sweeps over when it moves by this displacement")
                            ->type_name("X,Y,Z");
   subcommand
-      .add_flag("--without-end", without_end_,
+      .add_flag("--infinite", infinite_,
                 "With --swept: the box moves in this direction without end, like sunlight or a falling body")
       ->needs(swept);
   CLI::Option* shadow = subcommand
@@ -104,7 +104,7 @@ void ShaftChoice::set_origin(const Origin& origin) {
 
 ShaftKind ShaftChoice::kind() const {
   if (!points_.empty()) return ShaftKind::hull;
-  if (swept_) return without_end_ ? ShaftKind::swept_infinite : ShaftKind::swept;
+  if (swept_) return infinite_ ? ShaftKind::swept_infinite : ShaftKind::swept;
   return shadow_ ? ShaftKind::shadow : ShaftKind::between;
 }
 
@@ -127,7 +127,7 @@ FormedShaft ShaftChoice::form(const Box& from, const Box& to, Contact contact) c
       break;
     case ShaftKind::swept_infinite:
       if (motion_ == Vec3{}) {
-        throw InvalidArgument("--swept 0,0,0: no direction for --without-end; give one that is not 0");
+        throw InvalidArgument("--swept 0,0,0: no direction for --infinite; give one that is not 0");
       }
       shaft = swept_infinite(from, motion_);
       break;

@@ -43,7 +43,7 @@ class FormedShaft {
 
 class ShaftChoice {
  public:
-  /// Adds --swept, --without-end, --shadow, --reach and --contact. A body that is swept has no other end: `to` is the
+  /// Adds --swept, --infinite, --shadow, --reach and --contact. A body that is swept has no other end: `to` is the
   /// option for that, or null. This must live until the command line has been parsed.
   void add_options(CLI::App& subcommand, CLI::Option* to);
   /// Adds --hull and --towards. `excluded` are the options that a hull has no use for.
@@ -71,7 +71,7 @@ class ShaftChoice {
 
  private:
   bool swept_ = false;
-  bool without_end_ = false;
+  bool infinite_ = false;
   bool shadow_ = false;
   std::optional<float> reach_;
   Vec3 motion_{};

@@ -20,7 +20,7 @@ TEST_F(CliCull, RefusesOptionsOfShaftsThatDoNotGoTogether) {
   const std::vector<std::string> body{"--from", "left", "--swept", "1,0,0"};
   const std::vector<std::string> hull{"--hull", "0,0,0,1,1,1"};
   for (const auto& arguments :
-       {with(ends, {"--swept", "1,0,0"}), with(ends, {"--without-end"}), with(ends, {"--reach", "2"}),
+       {with(ends, {"--swept", "1,0,0"}), with(ends, {"--infinite"}), with(ends, {"--reach", "2"}),
         with(ends, {"--towards", "1,0,0"}), with(ends, {"--shadow", "--solid"}), with(body, {"--shadow"}),
         with(body, {"--solid"}), with(hull, ends), with(hull, {"--swept", "1,0,0"}), with(hull, {"--shadow"}),
         with(hull, {"--random", "2"}), with(hull, {"--times"}), with(hull, {"--first"}), with(hull, {"--solid"}),

@@ -89,7 +89,7 @@ TEST_F(CliCull, ListsWhatABodyMayHitAndWhen) {
 
 TEST_F(CliCull, ListsWhatABodyMayHitThatMovesWithoutEnd) {
   const Outcome outcome =
-      cull({"--from", "left", "--swept", "0.5,0,0", "--without-end", "--times", "--format", "csv", "--tree"});
+      cull({"--from", "left", "--swept", "0.5,0,0", "--infinite", "--times", "--format", "csv", "--tree"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("middle,,overlap,3,-2,-2,7,2,2,4\n"), HasSubstr("0.5,0.5,7\n"),
                                  HasSubstr("right,,inside,9,-1,-1,11,1,1,16\n"), Not(HasSubstr("aside"))));

@@ -56,7 +56,7 @@ TEST(CliDrawTriangle, IsOutsideIfItOnlyTouchesAndContactIsOpen) {
 TEST(CliDrawTriangle, HasAnswersOfEveryKindButHulls) {
   const std::vector<std::string> triangle{"--triangle", "5,0.2,0.5", "6,0.2,0.5", "5,0.8,0.5"};
   for (const std::vector<std::string>& kind :
-       {std::vector<std::string>{"--swept", "9,0,0"}, std::vector<std::string>{"--swept", "9,0,0", "--without-end"},
+       {std::vector<std::string>{"--swept", "9,0,0"}, std::vector<std::string>{"--swept", "9,0,0", "--infinite"},
         std::vector<std::string>{"--shadow", "--to", "2,0,0,3,1,1"}}) {
     EXPECT_THAT(output_of(with(with({"draw"}, kind), triangle)), HasSubstr("5,0.8,0.5]: inside\n"));
   }

@@ -47,7 +47,7 @@ TEST(CliDraw, TellsOfEachKindWhatItIs) {
   EXPECT_THAT(output_of({"draw", "--swept", "3,1,0"}),
               AllOf(HasSubstr("body A = [0,0,0,1,1,1]\nends at B = [3,1,0,4,2,1]\nSwept by 3,1,0. A B boxes"),
                     HasSubstr("AAA"), HasSubstr("BBB"), HasSubstr("###")));
-  EXPECT_THAT(output_of({"draw", "--swept", "3,1,0", "--without-end"}),
+  EXPECT_THAT(output_of({"draw", "--swept", "3,1,0", "--infinite"}),
               AllOf(HasSubstr("Swept without end along 3,1,0. A box"), HasSubstr("AAA"), Not(HasSubstr("BBB"))));
   EXPECT_THAT(output_of(shadow), AllOf(HasSubstr("light A = ["), HasSubstr("occluder B = ["),
                                        HasSubstr("Shadow without end."), HasSubstr("###")));
@@ -70,7 +70,7 @@ TEST(CliDraw, AnswersOfBoxesAndWhenTheyAreReached) {
 TEST(CliDraw, LeavesOutWhatOnlyTouchesIfContactIsOpen) {
   for (const std::vector<std::string>& kind :
        {std::vector<std::string>{"--to", "4,0,0,5,1,1"}, std::vector<std::string>{"--swept", "4,0,0"},
-        std::vector<std::string>{"--swept", "4,0,0", "--without-end"}}) {
+        std::vector<std::string>{"--swept", "4,0,0", "--infinite"}}) {
     const std::vector<std::string> arguments = with(with({"draw"}, kind), {"--bound", "2,1,0,3,2,1"});
     EXPECT_THAT(output_of(arguments), HasSubstr("]: overlap\n"));
     EXPECT_THAT(output_of(with(arguments, {"--contact", "open"})), HasSubstr("]: outside\n"));
@@ -83,7 +83,7 @@ TEST(CliDraw, CutsOffWhatHasNoEndAtThePicturesFrame) {
   };
   EXPECT_TRUE(seen(shadow).is_cut_off());
   EXPECT_FALSE(seen(with(shadow, {"--reach", "2"})).is_cut_off());
-  EXPECT_TRUE(seen({"draw", "--swept", "1,2,0", "--without-end"}).is_cut_off());
+  EXPECT_TRUE(seen({"draw", "--swept", "1,2,0", "--infinite"}).is_cut_off());
   EXPECT_FALSE(seen({"draw", "--swept", "1,2,0"}).is_cut_off());
   EXPECT_TRUE(seen({"draw", "--hull", "0,0,0,1,1,1", "--towards", "1,2,0"}).is_cut_off());
   EXPECT_FALSE(seen({"draw", "--hull", "0,0,0,1,1,1"}).is_cut_off());
@@ -119,7 +119,7 @@ TEST(CliDraw, ShowsPointsAndFlatShafts) {
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"--from", "1,1,1,1,1,1", "--to", "1,1,1,1,1,1"},
         std::vector<std::string>{"--from", "1,1,1,1,1,1", "--swept", "0,0,0"},
-        std::vector<std::string>{"--from", "1,1,1,1,1,1", "--swept", "0,0,5", "--without-end"},
+        std::vector<std::string>{"--from", "1,1,1,1,1,1", "--swept", "0,0,5", "--infinite"},
         std::vector<std::string>{"--from", "0,0,0,0,0,0", "--to", "0,3,0,0,3,0", "--shadow"},
         std::vector<std::string>{"--hull", "1,2,3"}}) {
     SCOPED_TRACE(testing::PrintToString(arguments));
@@ -130,7 +130,7 @@ TEST(CliDraw, ShowsPointsAndFlatShafts) {
 }
 
 TEST(CliDraw, RefusesOptionsThatDoNotGoTogether) {
-  EXPECT_THAT(refusal_of({"draw", "--without-end"}), HasSubstr("--swept"));
+  EXPECT_THAT(refusal_of({"draw", "--infinite"}), HasSubstr("--swept"));
   EXPECT_THAT(refusal_of({"draw", "--reach", "2"}), HasSubstr("--shadow"));
   EXPECT_THAT(refusal_of({"draw", "--towards", "1,0,0"}), HasSubstr("--hull"));
   EXPECT_THAT(refusal_of({"draw", "--swept", "1,0,0", "--to", "0,0,0,1,1,1"}), HasSubstr("--to"));
@@ -148,7 +148,7 @@ TEST(CliDraw, RefusesWhatNoShaftCanBeMadeOf) {
   EXPECT_THAT(refusal_of({"draw", "--swept", "1,2"}), HasSubstr("--swept 1,2: 2 numbers; a displacement takes three"));
   EXPECT_THAT(refusal_of({"draw", "--swept", "1,far,0"}), HasSubstr("'far' is not a number"));
   EXPECT_THAT(refusal_of({"draw", "--swept", "1,inf,0"}), HasSubstr("--swept 1,inf,0: y is inf"));
-  EXPECT_THAT(refusal_of({"draw", "--swept", "0,0,0", "--without-end"}), HasSubstr("--swept 0,0,0: no direction"));
+  EXPECT_THAT(refusal_of({"draw", "--swept", "0,0,0", "--infinite"}), HasSubstr("--swept 0,0,0: no direction"));
   EXPECT_THAT(refusal_of({"draw", "--shadow", "--reach", "0.5"}), HasSubstr("--reach 0.5: too small"));
   EXPECT_THAT(refusal_of({"draw", "--shadow", "--reach", "nan"}), HasSubstr("--reach nan: not a number"));
   EXPECT_THAT(refusal_of({"draw", "--shadow", "--to", "1,0,0,2,1,1"}),

@@ -54,7 +54,7 @@ TEST(CliStats, CountAnswersOfEveryKind) {
     std::vector<std::string> options;
   };
   for (const KindOptions& kind : {KindOptions{"swept  ", {"--swept", "0.5,0.25,0"}},
-                                  KindOptions{"swept without end", {"--swept", "0.5,0.25,0", "--without-end"}},
+                                  KindOptions{"swept without end", {"--swept", "0.5,0.25,0", "--infinite"}},
                                   KindOptions{"shadow", {"--shadow"}}, KindOptions{"between", {"--lattice", "40"}}}) {
     SCOPED_TRACE(kind.row);
     const std::string text = output_of(with({"stats", "--shafts", "200"}, kind.options));

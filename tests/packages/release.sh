@@ -28,10 +28,10 @@ run() {
 }
 
 # A repository that has no more than what is looked at before anything is built.
-mkdir -p "$work/project/cmake/packaging/"{debian,vcpkg/shaftcull} "$work/project/include/shaftcull"
+mkdir -p "$work/project/cmake/packaging/"{debian,vcpkg/shaftcull} "$work/project/include/shaftcull" "$work/project/docs"
 cp -r "$project/cmake/run" "$project/cmake/commands" "$work/project/cmake/"
 cp "$project/include/shaftcull/version.hpp" "$work/project/include/shaftcull/"
-for file in CITATION.cff cmake/packaging/debian/changelog cmake/packaging/vcpkg/shaftcull/vcpkg.json; do
+for file in CITATION.cff cmake/packaging/debian/changelog cmake/packaging/vcpkg/shaftcull/vcpkg.json docs/shaftcull.1; do
   cp "$project/$file" "$work/project/$file"
 done
 version=$(sed -n 's/^version: //p' "$project/CITATION.cff")

@@ -36,7 +36,7 @@ describe('the program', {skip: program ? false : 'SHAFTCULL_PROGRAM is not set'}
     const ends = [`--from=${a}`, `--to=${b}`];
     return {
       between: [...ends, '--solid'], pointLight: [...ends, '--solid'], shadow: [...ends, '--shadow'],
-      sun: [`--from=${b}`, `--swept=${way(b, a)}`, '--without-end'], swept: [`--from=${a}`, `--swept=${way(a, b)}`],
+      sun: [`--from=${b}`, `--swept=${way(b, a)}`, '--infinite'], swept: [`--from=${a}`, `--swept=${way(a, b)}`],
       camera: ['--hull', ...inThrees(points ?? [])],
     }[kind];
   }
