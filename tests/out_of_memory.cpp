@@ -422,7 +422,7 @@ void expect_dynamic_tree_kept(bool holds_snapshot, const Changes& first, const C
                 make, [](Object& object) { object.world.tree.commit(); },
                 [&](Object& object) {
                   expect_answers(object.world.tree.committed(), object.committed);
-                  EXPECT_EQ(object.world.tree.count(), object.world.model.count());
+                  EXPECT_EQ(object.world.tree.bound_count(), object.world.model.count());
                   object.world.tree.commit();
                   expect_answers(object.world.tree.committed(), object.world.model);
                   if (holds_snapshot) expect_answers(object.held, object.committed);
@@ -468,7 +468,7 @@ TYPED_TEST(DynamicOutOfMemory, ImagesAreWrittenAndReadOrNot) {
   };
   EXPECT_GT(fail_each_allocation(make, write_and_read,
                                  [&](Object& object) {
-                                   EXPECT_EQ(object.read.count(), 0U);
+                                   EXPECT_EQ(object.read.bound_count(), 0U);
                                    expect_answers(object.world.tree.committed(), object.world.model);
                                    write_and_read(object);
                                    expect_answers(object.read.committed(), object.world.model);
@@ -487,7 +487,7 @@ TYPED_TEST(DynamicOutOfMemory, ChangesAreMadeOrNot) {
   Random random(73);
   const std::vector<TypeParam> bounds = scene<TypeParam>(random, Shape::uniform, 3000);
   const auto unchanged = [&](World<TypeParam>& world) {
-    EXPECT_EQ(world.tree.count(), world.model.count());
+    EXPECT_EQ(world.tree.bound_count(), world.model.count());
     for (const BoundId id : world.model.ids) {
       EXPECT_EQ(world.tree.has(id), true);
       EXPECT_EQ(world.tree[id], world.model.bounds[id.index]);

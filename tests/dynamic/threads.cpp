@@ -43,7 +43,7 @@ TEST(DynamicThreads, ReadersSeeOneCommitAndNeverAPartOfTwo) {
       latest = x;
       EXPECT_EQ(now.box().hi[0], x + 0.5F);
       const CompiledShaft all = compile({{x, -1, -1}, {x, 102, 102}}, {{x + 0.5F, -1, -1}, {x + 0.5F, 102, 102}});
-      EXPECT_EQ(count(all, now), now.count());
+      EXPECT_EQ(count(all, now), now.bound_count());
       EXPECT_EQ(count(all, now), bounds);
       ++looks;
     }
