@@ -1144,7 +1144,7 @@ typedef struct shaftcull_view_factor_options {
   float tolerance;                      /* as for visibility and for rays */
   uint32_t part;                        /* as for visibility: the matrix has the factors of this part */
   uint32_t parts;                       /* number of parts; add their matrices; 1 with close_rows */
-  uint32_t reserved_too;                /* 0 */
+  uint32_t reserved_padding;            /* 0 */
   shaftcull_progress_callback progress; /* or NULL */
   void* user;                           /* passed to the callback */
   uint64_t reserved[4];                 /* 0 */

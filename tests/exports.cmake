@@ -5,6 +5,8 @@
 # headers).
 cmake_minimum_required(VERSION 3.22)
 
+# Members of the interface's classes that only the library itself calls (kernel/exports.map).
+set(internal_members "::(Writer|State|Parts|NotWritten|[A-Za-z]+Access)[:),]|::refer[(]|PatchSet::tree[(]|Occluders::data[(]")
 # Every program has its own copies of these, all the same.
 set(of_the_compiler "^([a-z ]+ )?(std|__gnu_cxx)::|^_init$|^_fini$")
 
@@ -38,7 +40,7 @@ foreach(line IN LISTS lines)
   endif()
   # The name that a header must have: of "void shaftcull::list_many<unsigned int>(…)" it is list_many.
   set(name "")
-  if(NOT symbol MATCHES "^[^(]*shaftcull::kernel::" AND NOT symbol MATCHES "::(Writer|State|Parts|NotWritten|[A-Za-z]+Access)[:),]|::refer[(]" AND symbol MATCHES "(^| )shaftcull::([A-Za-z_]+)")
+  if(NOT symbol MATCHES "^[^(]*shaftcull::kernel::" AND NOT symbol MATCHES "${internal_members}" AND symbol MATCHES "(^| )shaftcull::([A-Za-z_]+)")
     set(name ${CMAKE_MATCH_2})
   endif()
   if(NOT name OR NOT declared MATCHES "[^A-Za-z_]${name}[^A-Za-z_]")

@@ -40,7 +40,7 @@ ViewFactorOptions as_factor_options(const shaftcull_view_factor_options* options
   ViewFactorOptions out;
   if (options == nullptr) return out;
   require_zero(options->reserved, "options");
-  const std::uint64_t too = options->reserved_too;
+  const std::uint64_t too = options->reserved_padding;
   require_zero({&too, 1}, "options");
   out.rays = options->rays;
   out.error = options->error;

@@ -111,6 +111,8 @@ TEST(IsaChoice, ACallForAnUnavailableOneThrowsAndListsWhatThereIs) {
 }
 
 TEST(IsaChoice, AValueThatIsNoEnumeratorHasAName) {
+  static_assert(Isa{0} == Isa::scalar && Isa{1} == Isa::portable128 && Isa{2} == Isa::sse4_2);  // numbers never change
+  static_assert(Isa{3} == Isa::avx2 && Isa{4} == Isa::avx512 && Isa{5} == Isa::neon);
   EXPECT_EQ(name(static_cast<Isa>(6)), "unknown");
   EXPECT_EQ(name(static_cast<Isa>(255)), "unknown");
   EXPECT_THROW(select_isa(static_cast<Isa>(255)), InvalidArgument);

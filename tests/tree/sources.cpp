@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "caught.hpp"
@@ -18,6 +19,10 @@
 
 namespace shaftcull {
 namespace {
+
+// Trees of boxes alone take centres and half extents.
+static_assert(std::is_constructible_v<BoxTree, const StridedCentreExtents&>);
+static_assert(!std::is_constructible_v<SphereTree, const StridedCentreExtents&>);
 
 using testing::HasSubstr;
 

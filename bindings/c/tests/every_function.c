@@ -1521,9 +1521,9 @@ static void rays_and_view_factors(void) {
   options.parts = 2;
   REFUSED(shaftcull_view_factors(walls, occluders, &options, &matrix), "close_rows takes all pairs, and parts is 2");
   options = shaftcull_default_view_factor_options();
-  options.reserved_too = 1;
+  options.reserved_padding = 1;
   REFUSED(shaftcull_view_factors(walls, occluders, &options, &matrix), "options.reserved is not 0");
-  options.reserved_too = 0;
+  options.reserved_padding = 0;
   options.reserved[0] = 1;
   REFUSED(shaftcull_view_factors(walls, occluders, &options, &matrix), "options.reserved is not 0");
   options = shaftcull_default_view_factor_options();
