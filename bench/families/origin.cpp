@@ -4,7 +4,6 @@
 /// outside its float box.
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -57,31 +56,22 @@ void cast(std::span<const WorldBox> boxes, std::span<Box> to) {
 
 void declare_origin(Suite& suite, const Workload& /*workload*/) {
   const auto world = std::make_shared<World>();
-  const auto add = [&](const std::string& name, const std::function<void(const Origin&, std::span<Box>)>& convert) {
+  const auto add = [&]<class To>(const std::string& name, void (*convert)(const Origin&, const World&, std::span<To>)) {
     suite.add("origin/" + name, "", [=](benchmark::State& state) {
       if (world->boxes.empty()) *world = make_world();
       const Origin origin(city);
-      std::vector<Box> to(count);
+      std::vector<To> to(count);
       for (auto _ : state) {
-        convert(origin, to);
+        convert(origin, *world, to);
         benchmark::ClobberMemory();
       }
       state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(count));
     });
   };
-  add("boxes_around", [world](const Origin& origin, std::span<Box> to) { origin.around(world->boxes, to); });
-  add("boxes_within", [world](const Origin& origin, std::span<Box> to) { origin.within(world->boxes, to); });
-  add("boxes_cast", [world](const Origin&, std::span<Box> to) { cast(world->boxes, to); });
-  suite.add("origin/spheres_around", "", [=](benchmark::State& state) {
-    if (world->boxes.empty()) *world = make_world();
-    const Origin origin(city);
-    std::vector<Sphere> to(count);
-    for (auto _ : state) {
-      origin.around(world->spheres, to);
-      benchmark::ClobberMemory();
-    }
-    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(count));
-  });
+  add.operator()<Box>("boxes_around", [](auto& origin, auto& from, auto to) { origin.around(from.boxes, to); });
+  add.operator()<Box>("boxes_within", [](auto& origin, auto& from, auto to) { origin.within(from.boxes, to); });
+  add.operator()<Box>("boxes_cast", [](auto&, auto& from, auto to) { cast(from.boxes, to); });
+  add.operator()<Sphere>("spheres_around", [](auto& origin, auto& from, auto to) { origin.around(from.spheres, to); });
 }
 
 }  // namespace shaftcull::bench
