@@ -21,7 +21,6 @@
 #include "kernels/siblings/keep.hpp"
 #include "kernels/siblings/meet.hpp"
 #include "kernels/siblings/reach.hpp"
-#include "kernels/siblings/segments.hpp"
 #include "kernels/siblings/sibling_packing.hpp"
 #include "kernels/spheres/boxes_around_spheres.hpp"
 #include "kernels/spheres/sphere_stages.hpp"
@@ -123,7 +122,6 @@ inline constexpr Kernels kernels_for = {
                  .behind_planes = behind_planes<L>,
                  .corners_behind_plane = corners_behind_plane<L>,
                  .points_behind_planes = points_behind_planes<L>,
-                 .segments_through = segments_through<L>,
                  .may_meet_solid = may_meet_solid<L>,
                  .planes_behind_points = planes_behind_points<L>,
                  .reach_between = reach_between<L>,

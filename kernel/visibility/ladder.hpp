@@ -13,7 +13,6 @@
 #include <span>
 #include <vector>
 
-#include "exact/deep_segments.hpp"
 #include "exact/polygon_cone.hpp"
 #include "exact/tangent_planes.hpp"
 #include "kernels/kernel_table.hpp"
@@ -57,12 +56,6 @@ class Ladder {
   struct Side;
   struct Level;
   struct Selection;
-  /// Segments from inside a patch to a corner of each of the other side.
-  struct Segments {
-    SegmentStart start;
-    const float* end[3];
-    alignas(64) float least[most_siblings];  ///< as SegmentStart has it
-  };
   /// An occluder, or a triangle of one.
   struct PointsOf {
     std::uint32_t number = 0;
@@ -143,11 +136,6 @@ class Ladder {
                                                 std::uint64_t lanes, Selection& candidates);
   [[nodiscard]] std::uint64_t look_at_all_triangles(const Side& rows, unsigned row, const Side& columns,
                                                     std::uint64_t lanes, Selection& candidates);
-  [[nodiscard]] bool needs_segments(const Side& rows, const Side& columns, const Selection& candidates) const noexcept;
-  void begin_segments(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes);
-  [[nodiscard]] std::uint64_t certainly_through(std::uint32_t occluder, unsigned count, std::uint64_t asked) const;
-  [[nodiscard]] std::uint64_t certainly_through(const std::array<Vec3, 3>& triangle, unsigned count,
-                                                std::uint64_t asked) const;
   [[nodiscard]] std::uint64_t drop_separate(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes,
                                             Selection& candidates);
   [[nodiscard]] std::uint64_t reach_in_lanes(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes,
@@ -196,7 +184,6 @@ class Ladder {
   std::vector<PointsBetween> points_between_;  ///< of candidates at hand that lanes are asked about
   std::vector<PatchCorners> box_corners_;      ///< of those candidates that are boxes
   const std::unique_ptr<ReachSpace> reach_space_ = std::make_unique_for_overwrite<ReachSpace>();
-  std::vector<Segments> segments_;
   std::vector<PointsBehind> points_behind_;
   std::vector<std::uint64_t> clump_lanes_;  // of each clump, the lanes that come near it
   std::vector<std::uint64_t> near_;         // a bit an occluder, or a solid: whether one comes near its clump

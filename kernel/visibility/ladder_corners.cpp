@@ -139,16 +139,17 @@ bool Ladder::reaches_between(unsigned lane, std::uint32_t occluder, std::size_t 
 }
 
 /// Of a row of pairs, decides in lanes which candidates reach in, as far as floats can: clears what does not, in
-/// `candidates.kept` and part_lanes_, and returns the lanes in which something does. These have sure_lanes_, too.
+/// `candidates.kept` and part_lanes_, and returns the lanes in which something does. Writes sure_lanes_.
 std::uint64_t Ladder::reach_in_lanes(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes,
                                      Selection& candidates) {
   const OccluderData& occluders = job_.occluders;
+  sure_lanes_.assign(candidates.count, 0);
   points_between_.clear();
   box_corners_.resize(std::max(box_corners_.size(), candidates.count));
   std::size_t part = 0;
   for (std::size_t i = 0; i != candidates.count; ++i) {
     const std::uint32_t occluder = candidates.list[i];
-    const std::uint64_t asked = candidates.kept[i] & ~sure_lanes_[i] & lanes;
+    const std::uint64_t asked = candidates.kept[i] & lanes;
     const auto number = job_.wants_candidates ? static_cast<std::uint32_t>(i) : 0;
     const std::size_t parts = occluders.parts_of(occluder);
     for (std::size_t p = 0; p != parts; ++p) {
@@ -182,7 +183,7 @@ std::uint64_t Ladder::reach_in_lanes(const Side& rows, unsigned row, const Side&
   part = 0;
   for (std::size_t i = 0; i != candidates.count; ++i) {
     const std::uint32_t occluder = candidates.list[i];
-    const std::uint64_t asked = candidates.kept[i] & ~sure_lanes_[i] & lanes;
+    const std::uint64_t asked = candidates.kept[i] & lanes;
     const std::size_t parts = occluders.parts_of(occluder);
     std::uint64_t left = 0;
     std::uint64_t sure = 0;
@@ -201,7 +202,7 @@ std::uint64_t Ladder::reach_in_lanes(const Side& rows, unsigned row, const Side&
       }
     }
     candidates.kept[i] &= ~asked | left | sure;
-    sure_lanes_[i] |= sure;
+    sure_lanes_[i] = sure;
     reached |= sure;
     part += parts;
   }
@@ -213,9 +214,8 @@ std::uint64_t Ladder::reach_in_lanes(const Side& rows, unsigned row, const Side&
 std::uint64_t Ladder::drop_separate(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes,
                                     Selection& candidates) {
   const PatchCorners a = rows.corners(row);
-  std::uint64_t left = job_.wants_candidates ? 0 : lanes & any_of(sure_lanes_.data(), candidates.count);
-  const std::uint64_t reached = reach_in_lanes(rows, row, columns, lanes & ~left, candidates);
-  if (!job_.wants_candidates) left |= reached;
+  const std::uint64_t reached = reach_in_lanes(rows, row, columns, lanes, candidates);
+  std::uint64_t left = job_.wants_candidates ? 0 : reached;
   for_each_lane(lanes & ~left, [&](unsigned lane) {
     const PatchCorners b = columns.corners(lane);
     tangents_.begin({a.all(), !rows.set.tree.has_corners()}, {b.all(), !columns.set.tree.has_corners()});

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// Groups of triangles, looked at triangle by triangle: the box around a group that goes round corners, as all walls of
 /// a room do, reaches into shafts that none of its triangles reach into.
-#include <algorithm>
 #include <array>
 #include <numeric>
-#include <span>
 
-#include "support/compiler.hpp"
 #include "visibility/ladder_parts.hpp"
 #include "visibility/lanes.hpp"
 
@@ -117,111 +114,26 @@ std::uint64_t Ladder::part_reaches(const Side& rows, unsigned row, const Side& c
   return kept & ~behind_faced(rows, row, columns, {number, true}, vertices, kept);
 }
 
-/// Likewise of pairs whose corners are asked about later: writes the lanes of each triangle to part_lanes_, and those
-/// in which a candidate certainly reaches in between the corners, too, to sure_lanes_.
+/// Likewise of pairs whose corners are asked about later: writes the lanes of each triangle to part_lanes_.
 std::uint64_t Ladder::look_at_all_triangles(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes,
                                             Selection& candidates) {
   const OccluderData& occluders = job_.occluders;
-  segments_.clear();
-  if (needs_segments(rows, columns, candidates)) begin_segments(rows, row, columns, lanes);
   std::uint64_t left = 0;
-  std::uint64_t decided = 0;
   part_lanes_.clear();
-  sure_lanes_.clear();
   for (std::size_t i = 0; i != candidates.count; ++i) {
-    const std::uint64_t asked = candidates.kept[i] & lanes & ~decided;
+    const std::uint64_t asked = candidates.kept[i] & lanes;
     const std::size_t first = occluders.first_triangle[candidates.list[i]];
     const std::size_t end = first + occluders.parts_of(candidates.list[i]);
     std::uint64_t reached = first == end ? asked : 0;
-    std::uint64_t sure = first == end ? certainly_through(candidates.list[i], columns.count, asked) : 0;
     for (std::size_t part = first; part != end; ++part) {
-      const std::uint64_t open = asked & ~sure;
-      const std::uint64_t kept = open == 0 ? 0 : part_reaches(rows, row, columns, part, open);
-      if (kept != 0) sure |= certainly_through(occluders.triangle_vertices[part], columns.count, kept);
+      const std::uint64_t kept = asked == 0 ? 0 : part_reaches(rows, row, columns, part, asked);
       reached |= kept;
       part_lanes_.push_back(kept);
     }
     candidates.kept[i] = reached;
-    sure_lanes_.push_back(sure);
     left |= reached;
-    if (!job_.wants_candidates) decided |= sure;
   }
   return left;
-}
-
-/// Whether reach_in_lanes() does not look at some candidates of two sides.
-bool Ladder::needs_segments(const Side& rows, const Side& columns, const Selection& candidates) const noexcept {
-  constexpr unsigned few_corners = 6;
-  if (std::max(rows.set.tree.corner_streams().corners(), columns.set.tree.corner_streams().corners()) > few_corners) {
-    return true;
-  }
-  const std::span<const std::uint32_t> list(candidates.list.data(), candidates.count);
-  return std::any_of(list.begin(), list.end(), [&](std::uint32_t occluder) {
-    return job_.occluders.parts_of(occluder) == 0 && job_.occluders.points_of(occluder).size() > most_points_in_lanes;
-  });
-}
-
-/// Begins segments from inside a patch to corners of those of `lanes`.
-void Ladder::begin_segments(const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes) {
-  constexpr unsigned most_ends = 3;
-  if (!rows.set.tree.has_corners()) return;
-  const PatchCorners from = rows.corners(row);
-  const CornerStreams& streams = columns.set.tree.corner_streams();
-  const unsigned ends = streams.corners() == 0 ? 2 : std::min(streams.corners(), most_ends);
-  for (std::size_t i = 2; i != from.all().size(); ++i) {
-    const SegmentStart start(from.all()[0], from.all()[i - 1], from.all()[i], double{job_.a.coordinate});
-    for (unsigned e = 0; e != ends; ++e) {
-      Segments& segments = segments_.emplace_back(Segments{start, {}, {}});
-      for (unsigned k = 0; k != 3; ++k) {
-        segments.end[k] =
-            streams.corners() == 0 ? columns.box[k + 3 * e] : streams.streams()[3 * e + k] + columns.first;
-      }
-      for_each_lane(lanes, [&](unsigned lane) {
-        const Vec3 end{segments.end[0][lane], segments.end[1][lane], segments.end[2][lane]};
-        segments.least[lane] = start.least_distance(end, double{job_.a.tolerance});
-      });
-    }
-  }
-}
-
-/// Lanes of `asked` whose segments certainly pass through a triangle of corners of an occluder, of some of these.
-std::uint64_t Ladder::certainly_through(std::uint32_t occluder, unsigned count, std::uint64_t asked) const {
-  constexpr std::size_t enough = 8;
-  const std::span<const Vec3> points = job_.occluders.points_of(occluder);
-  std::uint64_t through = 0;
-  const auto look_at = [&](const Vec3& p, const Vec3& q, const Vec3& r) {
-    if (through != asked) through |= certainly_through({p, q, r}, count, asked & ~through);
-  };
-  for (std::size_t i = 2; i < std::min(points.size(), enough); ++i) look_at(points[0], points[i - 1], points[i]);
-  if (!points.empty()) return through;
-  const float(&box)[8] = job_.occluders.boxes[occluder].face;
-  const auto corner = [&](unsigned c) {
-    return Vec3{box[c % 2 != 0 ? 3 : 0], box[c / 2 % 2 != 0 ? 4 : 1], box[c / 4 != 0 ? 5 : 2]};
-  };
-  // Two rectangles between opposite edges. If the box is flat, one of them has its corners.
-  for (const std::array<unsigned, 4>& c : {std::array{0U, 3U, 7U, 4U}, std::array{0U, 1U, 7U, 6U}}) {
-    look_at(corner(c[0]), corner(c[1]), corner(c[2]));
-    look_at(corner(c[0]), corner(c[2]), corner(c[3]));
-  }
-  return through;
-}
-
-/// Lanes of `asked` whose segments certainly pass through a triangle, deep inside the shaft between the patches.
-std::uint64_t Ladder::certainly_through(const std::array<Vec3, 3>& triangle, unsigned count,
-                                        std::uint64_t asked) const {
-  std::uint64_t through = 0;
-  SeenTriangle seen{};
-  const Segments* last = nullptr;
-  for (const Segments& segments : segments_) {
-    if (last == nullptr || last->start.point() != segments.start.point()) {
-      seen = seen_triangle(segments.start.point(), triangle, double{job_.a.coordinate});
-    }
-    last = &segments;
-    if (seen.distance <= 0) continue;
-    through |= job_.kernels.segments_through(seen, segments.end, segments.least, count, asked & ~through);
-    if (through == asked) break;
-  }
-  return through;
 }
 
 }  // namespace shaftcull::kernel

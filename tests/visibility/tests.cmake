@@ -5,7 +5,6 @@ shaftcull_test(visibility PARTS 2
   visibility/batches.cpp
   visibility/cones.cpp
   visibility/corners.cpp
-  visibility/deep_segments.cpp
   visibility/errors.cpp
   visibility/flush_walls.cpp
   visibility/hulls.cpp

@@ -14,7 +14,6 @@
 #include <cstdint>
 
 #include "compiled/shaft_data.hpp"
-#include "exact/deep_segments.hpp"
 #include "exact/patch_plane.hpp"
 #include "support/exact_floats.hpp"
 
@@ -207,11 +206,6 @@ struct SiblingKernels {
   /// Likewise of points, all of which lie there.
   std::uint64_t (*points_behind_planes)(const PlaneStreams& planes, unsigned count, const Vec3* points,
                                         std::size_t size, std::uint64_t asked) noexcept;
-
-  /// The points of `asked`, of `count` ≤ 64 in three streams, such that the segment to them from where a triangle is
-  /// seen certainly passes through it, with both ends at least `least` from its plane, which is not NaN. It may say no.
-  std::uint64_t (*segments_through)(const SeenTriangle& triangle, const float* const* end, const float* least,
-                                    unsigned count, std::uint64_t asked) noexcept;
 
   /// The patches of `asked`, of `count` ≤ 64 with corners in streams as above, such that no segment from a corner of
   /// theirs to one of `fixed` certainly misses a solid.
