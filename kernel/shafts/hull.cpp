@@ -68,6 +68,11 @@ void require_vertices(std::span<const Vec3> points, std::span<const Vec3> direct
   }
 }
 
+void require_finite_corners(std::span<const Vec3> p, std::span<const Vec3> q) {
+  for (std::size_t i = 0; i != p.size(); ++i) require_finite("between_polygons: p: corner", i, p[i]);
+  for (std::size_t i = 0; i != q.size(); ++i) require_finite("between_polygons: q: corner", i, q[i]);
+}
+
 /// Writes each of some vertices once, behind those that the hull has.
 void add_different(HullData& hull, std::span<const Vec3> vertices) noexcept {
   for (auto vertex = vertices.begin(); vertex != vertices.end(); ++vertex) {
@@ -98,23 +103,19 @@ float rounded_down(double x) noexcept {
 }
 
 /// A box around the mean of some points, within the box around the points.
-Box around_mean(std::span<const Vec3> points) noexcept {
+Box around_mean(std::span<const Vec3> points, const Box& around) noexcept {
   Box box{};
   for (std::size_t k = 0; k != 3; ++k) {
-    float lo = points[0][k];
-    float hi = lo;
     double sum = 0;
     double magnitude = 0;
     for (const Vec3& point : points) {
-      lo = std::min(lo, point[k]);
-      hi = std::max(hi, point[k]);
       sum += double{point[k]};
       magnitude += std::fabs(double{point[k]});
     }
     const double error = 0x1p-46 * magnitude;  // of at most 32 sums and a quotient
     const double mean = sum / static_cast<double>(points.size());
-    box.lo[k] = std::max(lo, rounded_down(mean - error));
-    box.hi[k] = std::min(hi, -rounded_down(-mean - error));
+    box.lo[k] = std::max(around.lo[k], rounded_down(mean - error));
+    box.hi[k] = std::min(around.hi[k], -rounded_down(-mean - error));
   }
   return box;
 }
@@ -153,7 +154,11 @@ ConvexHull::ConvexHull(std::span<const Vec3> points, std::span<const Vec3> direc
 ConvexHull::ConvexHull(std::span<const Vec3> points, std::span<const Vec3> directions, HullTest test,
                        std::size_t first_end) {
   kernel::in_float_environment([&] {
-    require_vertices(points, directions);
+    if (first_end == 0) {
+      require_vertices(points, directions);
+    } else {
+      require_finite_corners(points.first(first_end), points.subspan(first_end));
+    }
     if (test > HullTest::conservative) {
       kernel::fail(InvalidArgument("test = " + std::to_string(static_cast<unsigned>(test)) +
                                    " is neither HullTest::exact nor HullTest::conservative"));
@@ -170,8 +175,10 @@ ConvexHull::ConvexHull(std::span<const Vec3> points, std::span<const Vec3> direc
       const std::span<const Vec3> all = this->points();
       const std::span<const Vec3> first = all.first(first_end);
       const std::span<const Vec3> second = all.subspan(first_end);
-      parts_->middle = compile(around_mean(first), around_mean(second));
-      write_across(box_around(first), box_around(second), parts_->data);
+      const Box around_first = box_around(first);
+      const Box around_second = box_around(second);
+      parts_->middle = compile(around_mean(first, around_first), around_mean(second, around_second));
+      write_across(around_first, around_second, parts_->data);
     }
   });
   refer();
@@ -263,10 +270,6 @@ ConvexHull between_polygons(std::span<const Vec3> p, std::span<const Vec3> q, Hu
     kernel::fail(InvalidArgument("between_polygons: p has " + std::to_string(p.size()) + " corners and q " +
                                  std::to_string(q.size()) + "; together there can be " + std::to_string(most)));
   }
-  kernel::in_float_environment([&] {
-    for (std::size_t i = 0; i != p.size(); ++i) require_finite("between_polygons: p: corner", i, p[i]);
-    for (std::size_t i = 0; i != q.size(); ++i) require_finite("between_polygons: q: corner", i, q[i]);
-  });
   std::array<Vec3, most> both;
   std::copy(q.begin(), q.end(), std::copy(p.begin(), p.end(), both.begin()));
   return ConvexHull(std::span<const Vec3>(both).first(p.size() + q.size()), {}, test, p.size());

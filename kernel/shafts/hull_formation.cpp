@@ -76,7 +76,7 @@ class PlanesOfTriangles {
       face.sign = triangle.sign;
       for (unsigned k = 0; k < 3; ++k) face.normal[k] = mesh_.normal(t, k);
     } else {
-      span(triangle.in_plane, face);
+      span(triangle.in_plane, t, face);
     }
     unsigned positive = 0;
     unsigned negative = 0;
@@ -100,8 +100,9 @@ class PlanesOfTriangles {
     return same;
   }
 
-  /// Takes the least vertices of a set that are not on a line, and which side of theirs is outside.
-  void span(VertexSet in_plane, Face& face) const noexcept {
+  /// Takes the least vertices of a set that are not on a line, and which side of theirs is outside, as a triangle in
+  /// their plane knows it.
+  void span(VertexSet in_plane, unsigned t, Face& face) const noexcept {
     const auto vertex = [](unsigned v) { return static_cast<std::uint8_t>(v); };
     face.vertex[0] = vertex(first_of(in_plane));
     VertexSet others = without_first(in_plane);
@@ -112,11 +113,10 @@ class PlanesOfTriangles {
       const SpannedPlane plane = plane_through(hull_, face.vertex);
       for (unsigned k = 0; k < 3; ++k) face.normal[k] = plane.normal(k);
     } while (face.normal[0] == 0 && face.normal[1] == 0 && face.normal[2] == 0);
-    const unsigned p = face.vertex[0];
-    const unsigned v = first_of(~in_plane);
-    face.sign = static_cast<std::int8_t>(
-        -plane_through(hull_, face.vertex)
-             .sign_along({step_between(hull_, p, v, 0), step_between(hull_, p, v, 1), step_between(hull_, p, v, 2)}));
+    // Both normals are of one plane, and known well.
+    double cosine = 0;
+    for (unsigned k = 0; k < 3; ++k) cosine += face.normal[k] * mesh_.normal(t, k);
+    face.sign = static_cast<std::int8_t>(cosine > 0 ? mesh_[t].sign : -mesh_[t].sign);
   }
 
   /// A face that contains a line along an axis is an edge. Its normal has no other component that is 0.
@@ -133,36 +133,41 @@ class PlanesOfTriangles {
     }
   }
 
-  /// Edges of a triangle that are outlines along an axis: it faces along that, and the triangle across against it.
+  /// Edges of a triangle from a vertex to one with a larger number, so each edge of the hull once.
   void take_edges(unsigned t) noexcept {
     const SmallHull::Triangle& triangle = mesh_[t];
-    const unsigned along = face_[face_of_[t]].along;
-    const unsigned corner[4] = {triangle.corner(0), triangle.corner(1), triangle.corner(2), triangle.corner(0)};
-    for (unsigned e = 0; e < 3; ++e) {
-      const unsigned from = corner[e];
-      const unsigned to = corner[e + 1];
-      const unsigned across = mesh_.left_of(to, from);
-      // Written in any case, and kept of each two faces with an edge once.
-      hull_.crease[hull_.creases] = {static_cast<std::uint8_t>(from), static_cast<std::uint8_t>(to), face_of_[t],
+    const auto& [a, b, c] = triangle.vertex;  // in order
+    if (triangle.sign > 0) {
+      take_edge_of(t, a, b);
+      take_edge_of(t, b, c);
+    } else {
+      take_edge_of(t, a, c);
+    }
+  }
+
+  /// An edge that runs counterclockwise around a triangle. It is an outline along an axis if the triangle faces along
+  /// that and the one across against it, or the other way round.
+  void take_edge_of(unsigned t, unsigned p, unsigned q) noexcept {
+    if (p >= hull_.points) return;  // it is no line
+    const unsigned across = mesh_.left_of(q, p);
+    const unsigned here = face_of_[t];
+    const unsigned there = face_of_[across];
+    if (here == there) return;
+    hull_.crease[hull_.creases++] = {static_cast<std::uint8_t>(p), static_cast<std::uint8_t>(q), face_of_[t],
                                      face_of_[across]};
-      const bool is_edge = from < to && from < hull_.points && face_of_[t] != face_of_[across];
-      hull_.creases = static_cast<std::uint8_t>(hull_.creases + (is_edge ? 1 : 0));
-      const unsigned p = std::min(from, to);
-      const unsigned q = std::max(from, to);
-      const unsigned axes = p < hull_.points ? along & face_[face_of_[across]].against : 0;  // else it is no line
-      const VertexSet on_line = triangle.in_plane & mesh_[across].in_plane;
-      if (without_first(without_first(on_line)) != 0) [[unlikely]] {
-        for (unsigned axis = 0; axis < 3; ++axis) {
-          if ((axes >> axis & 1U) != 0) take_outline(axis, on_line);
-        }
-        continue;
-      }
-      // No branches: which edges are outlines is hard to foresee. Seen against the axis, the triangle is to the left.
+    const unsigned positive = face_[here].along & face_[there].against;
+    const unsigned negative = face_[here].against & face_[there].along;
+    const VertexSet on_line = mesh_[t].in_plane & mesh_[across].in_plane;
+    if (without_first(without_first(on_line)) != 0) [[unlikely]] {
       for (unsigned axis = 0; axis < 3; ++axis) {
-        const VertexSet bit = VertexSet{axes >> axis & 1U} << q;
-        edges_[axis][p].to |= bit;
-        edges_[axis][p].positive |= from < to ? bit : 0;
+        if (((positive | negative) >> axis & 1U) != 0) take_outline(axis, on_line);
       }
+      return;
+    }
+    // No branches: which edges are outlines is hard to foresee. Seen against the axis, the triangle is to the left.
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      edges_[axis][p].to |= VertexSet{(positive | negative) >> axis & 1U} << q;
+      edges_[axis][p].positive |= VertexSet{positive >> axis & 1U} << q;
     }
   }
 

@@ -19,7 +19,12 @@ class PlaneGroupWriter {
   }
   /// Fills the last group with what everything is behind.
   void end_group() noexcept {
-    while (lanes_ % Group::planes != 0) next().offset[lane()] = std::numeric_limits<float>::infinity();
+    while (lanes_ % Group::planes != 0) {
+      Group& group = next();
+      for (auto& inward : group.inward) inward[lane()] = 0;
+      group.offset[lane()] = std::numeric_limits<float>::infinity();
+      group.length[lane()] = group.magnitude[lane()] = 0;
+    }
   }
   [[nodiscard]] std::uint8_t lanes() const noexcept { return static_cast<std::uint8_t>(lanes_); }
 
@@ -29,20 +34,19 @@ class PlaneGroupWriter {
   void add(unsigned number) noexcept {
     const HullData::Plane& plane = hull_.plane[number];
     Group& group = next();
-    const bool is_face = number < hull_.faces;
-    const unsigned first_axis = is_face ? 0 : plane.axis + 1U;
-    for (unsigned i = 0; i < (is_face ? 3U : 2U); ++i) group.inward[(first_axis + i) % 3][lane()] = plane.inward[i];
+    if (number < hull_.faces) {
+      for (unsigned k = 0; k < 3; ++k) group.inward[k][lane()] = plane.inward[k];
+    } else {
+      group.inward[plane.axis][lane()] = 0;
+      group.inward[plane.axis == 2 ? 0 : plane.axis + 1][lane()] = plane.inward[0];
+      group.inward[plane.axis == 0 ? 2 : plane.axis - 1][lane()] = plane.inward[1];
+    }
     group.offset[lane()] = plane.offset;
     group.length[lane()] = plane.length;
     group.magnitude[lane()] = plane.magnitude;
   }
-  /// The group that holds the next lane, which lane() is from now on, with nothing in it.
-  [[nodiscard]] Group& next() noexcept {
-    Group& group = hull_.group[lanes_++ / Group::planes];
-    for (auto& inward : group.inward) inward[lane()] = 0;
-    group.length[lane()] = group.magnitude[lane()] = 0;
-    return group;
-  }
+  /// The group that holds the next lane, which lane() is from now on.
+  [[nodiscard]] Group& next() noexcept { return hull_.group[lanes_++ / Group::planes]; }
   [[nodiscard]] unsigned lane() const noexcept { return (lanes_ - 1) % Group::planes; }
 
   HullData& hull_;
