@@ -3,9 +3,7 @@
 #pragma once
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
 #include "compiled/moving_faces.hpp"
@@ -91,35 +89,6 @@ struct EndFaces {
         nearest[f] = exact.nearest;
         within[f] = exact.within;
       }
-    }
-  }
-};
-
-/// Where the faces of a box end that moves by a displacement. Loops are over eight lanes, for vectors: the last two are
-/// of no face.
-struct DisplacedFaces {
-  float nearest[8];
-  float within[8];  ///< as last_float_within(), of faces that move outwards
-  bool are_finite;  ///< otherwise, nothing else means anything
-
-  DisplacedFaces(const float (&start)[8], const float (&displacement)[8]) noexcept {
-    // Sums of floats are rounded once, and what that leaves out is a float: two_sum().
-    float error[8];
-    for (unsigned f = 0; f < 8; ++f) {
-      const float sum = start[f] + displacement[f];
-      const float displacement_virtual = sum - start[f];
-      const float start_virtual = sum - displacement_virtual;
-      error[f] = (start[f] - start_virtual) + (displacement[f] - displacement_virtual);
-      nearest[f] = sum;
-    }
-    bool finite = true;
-    for (const float face : nearest) finite &= std::fabs(face) <= std::numeric_limits<float>::max();
-    are_finite = finite;
-    for (unsigned f = 0; f < 8; ++f) {
-      const auto bits = std::bit_cast<std::int32_t>(nearest[f]);
-      const std::int32_t upwards = bits < 0 ? -1 : 1;
-      const std::int32_t step = f < 3 ? (error[f] > 0 ? upwards : 0) : (error[f] < 0 ? -upwards : 0);
-      within[f] = std::bit_cast<float>(bits + step);
     }
   }
 };

@@ -107,24 +107,15 @@ MovingFaces write_movement(const Movement& movement, ShaftData& shaft) noexcept 
 /// Writes a shaft that ends, without planes.
 void form_to_end(const Kernels& kernels, const Movement& movement, ShaftData& shaft) noexcept {
   const MovingFaces faces = write_movement(movement, shaft);
-  Lanes8 end;
-  // Takes where faces end from numbers of all of them.
-  const auto take = [&](const auto& ends) {
-    std::memcpy(end, ends.nearest, sizeof end);
-    for (unsigned f = 0; f < 6; ++f) shaft.face[f] = faces.is_blue(f) ? ends.within[f] : movement.start[f];
-    for (unsigned k = 0; k < 3; ++k)
-      end[k + 3] = std::max(end[k], end[k + 3]);  // rounding may swap what is as good as equal
-  };
-  if (movement.kind == Kind::swept) {
-    const DisplacedFaces displaced(movement.start, movement.motion);
-    displaced.are_finite ? take(displaced) : take(EndFaces(faces));
-  } else {
-    take(EndFaces(faces));
+  EndFaces end(faces);
+  for (unsigned f = 0; f < 6; ++f) shaft.face[f] = faces.is_blue(f) ? end.within[f] : movement.start[f];
+  for (unsigned k = 0; k < 3; ++k) {  // rounding may swap what is as good as equal
+    end.nearest[k + 3] = std::max(end.nearest[k], end.nearest[k + 3]);
   }
   Box from;
   Box to;
   std::memcpy(&from, movement.start, sizeof from);
-  std::memcpy(&to, end, sizeof to);
+  std::memcpy(&to, end.nearest, sizeof to);
   static_cast<void>(kernels.compile_pair(from, to, shaft));  // both are finite
   shaft.kind = movement.kind;
   if (shaft.slab_form == ShaftData::SlabForm::fused) {
