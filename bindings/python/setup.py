@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Builds the extension module with CMake. All else is said in pyproject.toml.
 
-Environment: CMAKE_ARGS, more arguments for CMake; SHAFTCULL_PYTHON_MODULE, a module that was built already.
+Environment: CMAKE_ARGS, more arguments for CMake; SHAFTCULL_PYTHON_MODULE, a module that was built already, with
+the stubs beside it.
 """
 
 import os
@@ -22,8 +23,9 @@ class BuildWithCMake(build_ext):
     def build_extension(self, extension):
         target = pathlib.Path(self.get_ext_fullpath(extension.name)).resolve()
         target.parent.mkdir(parents=True, exist_ok=True)
-        built = os.environ.get("SHAFTCULL_PYTHON_MODULE")
-        shutil.copy(built if built else self.build_module(), target)
+        module = pathlib.Path(os.environ.get("SHAFTCULL_PYTHON_MODULE") or self.build_module())
+        shutil.copy(module, target)
+        shutil.copy(module.with_name("__init__.pyi"), target.parent)  # these have docstrings
 
     def build_module(self):
         folder = pathlib.Path(self.build_temp).resolve()

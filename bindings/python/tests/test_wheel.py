@@ -40,6 +40,7 @@ def test_a_wheel_is_built_installed_and_used(tmp_path):
         names = set(files.namelist())
         files.extractall(installed)
     assert {"shaftcull/__init__.py", "shaftcull/__init__.pyi", "shaftcull/py.typed"} <= names
+    assert (installed / "shaftcull/__init__.pyi").read_bytes() == module.with_name("__init__.pyi").read_bytes()
     assert [name for name in names if name.startswith("shaftcull/_shaftcull.")]
     assert [name for name in names if name.endswith(".dist-info/LICENSE")]
     assert_it_is_used(installed, tmp_path)
@@ -62,4 +63,6 @@ def test_cmake_installs_the_package_as_a_component(tmp_path):
     assert done.returncode == 0, done.stderr
     (package,) = tmp_path.rglob("shaftcull")
     assert {file.name for file in package.iterdir()} >= {"__init__.py", "__init__.pyi", "py.typed"}
+    stubs = pathlib.Path(shaftcull.__file__).with_name("__init__.pyi")
+    assert (package / "__init__.pyi").read_bytes() == stubs.read_bytes()
     assert_it_is_used(package.parent, tmp_path)

@@ -1,21 +1,22 @@
 # SPDX-License-Identifier: MIT
-"""Writes the docstrings of the built module into the stubs, where editors read them. python.stubs compares both.
+"""Writes the docstrings of a built module into the stubs beside it, where editors read them. The build calls this.
 
-    PYTHONPATH=build/release/python python3 bindings/python/tests/stubs.py
+    python3 bindings/python/stubs.py build/release/python/shaftcull/__init__.pyi
 """
 
 import ast
 import inspect
 import pathlib
+import sys
 import textwrap
 
-import shaftcull
-
-STUBS = pathlib.Path(__file__).parents[1] / "shaftcull/__init__.pyi"
+STUBS = pathlib.Path(__file__).parent / "shaftcull/__init__.pyi"
 
 
 def member(path):
     """What the module has by a dotted name: functions of static methods, properties themselves."""
+    import shaftcull
+
     thing = shaftcull
     for name in path:
         thing = inspect.getattr_static(thing, name)
@@ -41,20 +42,20 @@ def documented(node, path=()):
 
 
 def with_docstrings(stubs):
-    """The text of stubs, with the docstrings of the module in place of those that it has."""
+    """The text of stubs that have no docstrings, with those of the module."""
     lines = stubs.splitlines()
     for node, text in documented(ast.parse(stubs)):
         text = f'"""{text}"""' if "\n" not in text else f'"""{text}\n"""'
         first = node.body[0]
-        start = end = node.lineno  # behind the line of a class that has members and no docstring
-        if isinstance(first, ast.Expr) and first.value.value is ...:
-            start = end = first.end_lineno
-            lines[start - 1] = lines[start - 1].removesuffix(" ...")
-        elif isinstance(first, ast.Expr):
-            start, end = first.lineno - 1, first.end_lineno
-        lines[start:end] = textwrap.indent(text, " " * (node.col_offset + 4)).splitlines()
+        behind = node.lineno  # the line of a class that has members
+        if isinstance(first, ast.Expr):
+            behind = first.end_lineno
+            lines[behind - 1] = lines[behind - 1].removesuffix(" ...")
+        lines[behind:behind] = textwrap.indent(text, " " * (node.col_offset + 4)).splitlines()
     return "\n".join(lines) + "\n"
 
 
 if __name__ == "__main__":
-    STUBS.write_text(with_docstrings(STUBS.read_text()))
+    built = pathlib.Path(sys.argv[1]).resolve()
+    sys.path[0] = str(built.parents[1])  # in place of this folder, which has the package without the module
+    built.write_text(with_docstrings(STUBS.read_text()))
