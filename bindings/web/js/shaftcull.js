@@ -32,8 +32,51 @@ async function compiled(wasm) {
   return WebAssembly.compile(await response.arrayBuffer());
 }
 
+/** Methods that need only the module and their arguments. */
+const methods = {
+  origin: (module, at) => new Origin(module, at),
+  boxAround: boxes.boxAround,
+  translated: boxes.translated,
+  inflated: boxes.inflated,
+  inscribedBox: boxes.inscribedBox,
+  viewFactor,
+  mergedBoxes: boxes.mergedBoxes,
+  viewPlanes: boxes.viewPlanes,
+  boxStream: (module, values) => bounds.streamOf(module, 'boxes', values),
+  boxTree: (module, values) => bounds.treeOf(module, 'boxes', values),
+  sphereStream: (module, spheres) => bounds.streamOf(module, 'spheres', spheres),
+  sphereTree: (module, spheres) => bounds.treeOf(module, 'spheres', spheres),
+  triangleStream: (module, triangles, indices) => bounds.streamOf(module, 'triangles', triangles, indices),
+  triangleTree: (module, triangles, indices) => bounds.treeOf(module, 'triangles', triangles, indices),
+  dynamicBoxTree: (module, options) => dynamicTreeOf(module, 'boxes', options),
+  dynamicSphereTree: (module, options) => dynamicTreeOf(module, 'spheres', options),
+  between: shafts.between,
+  swept: shafts.swept,
+  sweptInfinite: shafts.sweptInfinite,
+  shadow: shafts.shadow,
+  concatenate: shafts.concatenate,
+  hull: shafts.hull,
+  betweenPolygons: shafts.betweenPolygons,
+  frustum: shafts.frustum,
+  casters: (module, view, light) => shafts.castersOf(module, 1, view, light, 'light'),
+  castersTowards: (module, view, sun) => shafts.castersOf(module, 0, view, sun, 'sun'),
+  visibility,
+  viewFactors,
+  litFractions,
+  countVisibility,
+};
+
 class Shaftcull {
   #module;
+
+  static {
+    for (const [name, method] of Object.entries(methods)) {
+      const value = function (...args) {
+        return method(this.#module, ...args);
+      };
+      Object.defineProperty(this.prototype, name, {value, configurable: true, writable: true});
+    }
+  }
 
   constructor(module) {
     this.#module = module;
@@ -55,126 +98,6 @@ class Shaftcull {
       new Uint8Array(module.view.buffer, pointer, text.length).set(text);
       module.call('shaftcull_select_isa', pointer);
     });
-  }
-
-  origin(at) {
-    return new Origin(this.#module, at);
-  }
-
-  boxAround(points) {
-    return boxes.boxAround(this.#module, points);
-  }
-
-  translated(box, by) {
-    return boxes.translated(this.#module, box, by);
-  }
-
-  inflated(box, by) {
-    return boxes.inflated(this.#module, box, by);
-  }
-
-  inscribedBox(corners) {
-    return boxes.inscribedBox(this.#module, corners);
-  }
-
-  viewFactor(from, to) {
-    return viewFactor(this.#module, from, to);
-  }
-
-  mergedBoxes(solids) {
-    return boxes.mergedBoxes(this.#module, solids);
-  }
-
-  viewPlanes(matrix, depth) {
-    return boxes.viewPlanes(this.#module, matrix, depth);
-  }
-
-  boxStream(values) {
-    return bounds.streamOf(this.#module, 'boxes', values);
-  }
-
-  boxTree(values) {
-    return bounds.treeOf(this.#module, 'boxes', values);
-  }
-
-  sphereStream(spheres) {
-    return bounds.streamOf(this.#module, 'spheres', spheres);
-  }
-
-  sphereTree(spheres) {
-    return bounds.treeOf(this.#module, 'spheres', spheres);
-  }
-
-  triangleStream(triangles, indices) {
-    return bounds.streamOf(this.#module, 'triangles', triangles, indices);
-  }
-
-  triangleTree(triangles, indices) {
-    return bounds.treeOf(this.#module, 'triangles', triangles, indices);
-  }
-
-  dynamicBoxTree(options) {
-    return dynamicTreeOf(this.#module, 'boxes', options);
-  }
-
-  dynamicSphereTree(options) {
-    return dynamicTreeOf(this.#module, 'spheres', options);
-  }
-
-  between(a, b, options) {
-    return shafts.between(this.#module, a, b, options);
-  }
-
-  swept(bodies, displacements, options) {
-    return shafts.swept(this.#module, bodies, displacements, options);
-  }
-
-  sweptInfinite(bodies, directions, options) {
-    return shafts.sweptInfinite(this.#module, bodies, directions, options);
-  }
-
-  shadow(lights, occluders, options) {
-    return shafts.shadow(this.#module, lights, occluders, options);
-  }
-
-  concatenate(parts) {
-    return shafts.concatenate(this.#module, parts);
-  }
-
-  hull(points, directions, options) {
-    return shafts.hull(this.#module, points, directions, options);
-  }
-
-  betweenPolygons(p, q, options) {
-    return shafts.betweenPolygons(this.#module, p, q, options);
-  }
-
-  frustum(matrix, depth, options) {
-    return shafts.frustum(this.#module, matrix, depth, options);
-  }
-
-  casters(view, light) {
-    return shafts.castersOf(this.#module, 1, view, light, 'light');
-  }
-
-  castersTowards(view, sun) {
-    return shafts.castersOf(this.#module, 0, view, sun, 'sun');
-  }
-
-  visibility(scene) {
-    return visibility(this.#module, scene);
-  }
-
-  viewFactors(scene) {
-    return viewFactors(this.#module, scene);
-  }
-
-  litFractions(scene) {
-    return litFractions(this.#module, scene);
-  }
-
-  countVisibility(scene) {
-    return countVisibility(this.#module, scene);
   }
 
   hash(family, way, options) {
