@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What `factors` and `sun` share: options, files and reports of a job on the facets of a mesh.
+/// What `factors` and `sun` share: options, files and reports of a job on the facets of a mesh. `sees` has these
+/// options, too.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +20,7 @@ struct FacetOptions {
   std::string out;
   std::string svg;
   std::string ply;
-  bool objects = false;
+  bool objects = false;  ///< objects are reported, too
   std::string up = "z";
   std::string format = "text";
   int threads = 0;

@@ -27,7 +27,7 @@ namespace {
 void run(const SeesOptions& options) {
   SeesJob job(options);
   if (batch::is_launched()) return run_on_launched_ranks(job);
-  job.check();
+  options.require_files({});
   options.isa.select();
   job.prepare();
   const std::span<SightSink* const> sinks = job.open();

@@ -1,37 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "sees_job.hpp"
 
-#include <array>
 #include <cstdio>
 #include <memory>
-#include <utility>
-
-#include <fmt/format.h>
 
 #include "shaftcull/shaftcull.hpp"
 
 namespace shaftcull::cli {
-namespace {
-
-bool is_output(const std::string& path) { return !path.empty() && is_standard_output(path); }
-
-}  // namespace
 
 SeesJob::SeesJob(const SeesOptions& options) : options_(options), source_(options.scene.source()) {}
-
-void SeesJob::check() const {
-  const std::array<std::pair<const char*, const std::string&>, 3> files{
-      {{"--out", options_.out}, {"--svg", options_.svg}, {"--ply", options_.ply}}};
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const auto& [option, path] = files[j];
-      const auto& [other_option, other_path] = files[i];
-      if (path.empty() || (path != other_path && !(is_output(path) && is_output(other_path)))) continue;
-      throw InvalidArgument(
-          fmt::format("{} {} {} {}: one file cannot be both; give two files", option, path, other_option, other_path));
-    }
-  }
-}
 
 void SeesJob::prepare() {
   scene_.emplace(make_sees_scene(options_.scene.load(), options_.scene.choice, source_));
@@ -75,9 +52,7 @@ void SeesJob::finish(SeesReport report, const SeesPictures& pictures) {
   if (objects_) report.object_pairs = objects_->pairs();
   const std::string hint = options_.scene.hint_about_normals(report.counts.sights);
   if (!hint.empty()) static_cast<void>(std::fputs(hint.c_str(), stderr));
-  // Where a file is standard output, the report goes elsewhere.
-  const bool is_taken = is_output(options_.out) || is_output(options_.svg) || is_output(options_.ply);
-  std::fputs(format_report(report, report_format(options_.format)).c_str(), is_taken ? stderr : stdout);
+  print_report(format_report(report, report_format(options_.format)), options_);
 }
 
 SeesReport report_of(const SeesScene& scene, const SeesWork& work, const std::string& source) {

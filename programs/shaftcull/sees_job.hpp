@@ -10,26 +10,16 @@
 #include <string>
 #include <vector>
 
-#include "instruction_set.hpp"
+#include "facet_job.hpp"
 #include "output_file.hpp"
-#include "scene_options.hpp"
 #include "sees_report.hpp"
 #include "sees_run.hpp"
 
 namespace shaftcull::cli {
 
-struct SeesOptions {
-  SceneOptions scene;
+struct SeesOptions : FacetOptions {
   SightContent content;
   std::size_t megabytes = 256;
-  std::string out;
-  std::string svg;
-  std::string ply;
-  bool objects = false;  ///< what objects see of each other is reported
-  std::string up = "z";
-  std::string format = "text";
-  int threads = 0;
-  InstructionSet isa;
 };
 
 /// Null if they are not wanted.
@@ -42,8 +32,6 @@ class SeesJob {
  public:
   explicit SeesJob(const SeesOptions& options);
 
-  /// Throws InvalidArgument for files that cannot all be written.
-  void check() const;
   /// Makes the scene. The same on every process.
   void prepare();
 

@@ -34,19 +34,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The file that is written last: answers are kept beside it.
-const std::string& last_file(const SeesOptions& options) {
-  const std::string& picture = options.svg.empty() ? options.ply : options.svg;
-  return options.out.empty() ? picture : options.out;
-}
-
 class RankedSees {
  public:
   RankedSees(SeesJob& job, batch::Ranks& ranks, const batch::Surroundings& surroundings)
       : job_(job),
         ranks_(ranks),
         surroundings_(surroundings),
-        parts_("sees", folder_beside(last_file(job.options())), ranks, surroundings) {}
+        parts_("sees", folder_beside(job.options().kept_beside()), ranks, surroundings) {}
 
   void run() {
     batch::agree_on_version(ranks_, surroundings_.version);
@@ -180,7 +174,7 @@ class RankedSees {
 void run_on_launched_ranks(SeesJob& job) {
   const SeesOptions& options = job.options();
   const auto check = [&] {
-    job.check();
+    options.require_files({});
     require_file("--out", options.out);
     require_file("--svg", options.svg);
     require_file("--ply", options.ply);
