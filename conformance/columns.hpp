@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <vector>
 
@@ -12,69 +13,33 @@
 
 namespace shaftcull {
 
-class BoxColumns {
+template <class Bound, class View>
+class BoundColumns {
  public:
-  explicit BoxColumns(const std::vector<Box>& boxes) : count_(boxes.size()) {
+  explicit BoundColumns(const std::vector<Bound>& bounds) : count_(bounds.size()) {
     for (std::vector<float>& column : column_) column.reserve(count_);
-    for (const Box& box : boxes) {
-      for (std::size_t k = 0; k != 3; ++k) {
-        column_[k].push_back(box.lo[k]);
-        column_[k + 3].push_back(box.hi[k]);
-      }
+    for (const Bound& bound : bounds) {
+      const auto coordinates = std::bit_cast<std::array<float, column_count>>(bound);
+      for (std::size_t s = 0; s != column_count; ++s) column_[s].push_back(coordinates[s]);
     }
   }
-  [[nodiscard]] BoxView view() const {
-    BoxView view;
-    for (std::size_t k = 0; k != 6; ++k) view.stream[k] = column_[k].data();
+  [[nodiscard]] View view() const {
+    View view;
+    for (std::size_t s = 0; s != column_count; ++s) view.stream[s] = column_[s].data();
     view.count = count_;
     return view;
   }
 
  private:
-  std::array<std::vector<float>, 6> column_;
+  static constexpr std::size_t column_count = sizeof(Bound) / sizeof(float);
+
+  std::array<std::vector<float>, column_count> column_;
   std::size_t count_;
 };
 
-class SphereColumns {
- public:
-  explicit SphereColumns(const std::vector<Sphere>& spheres) : count_(spheres.size()) {
-    for (std::vector<float>& column : column_) column.reserve(count_);
-    for (const Sphere& sphere : spheres) {
-      for (std::size_t k = 0; k != 3; ++k) column_[k].push_back(sphere.centre[k]);
-      column_[3].push_back(sphere.radius);
-    }
-  }
-  [[nodiscard]] SphereView view() const {
-    SphereView view;
-    for (std::size_t k = 0; k != 4; ++k) view.stream[k] = column_[k].data();
-    view.count = count_;
-    return view;
-  }
-
- private:
-  std::array<std::vector<float>, 4> column_;
-  std::size_t count_;
-};
-
-class TriangleColumns {
- public:
-  explicit TriangleColumns(const std::vector<Triangle>& triangles) : count_(triangles.size()) {
-    for (std::vector<float>& column : column_) column.reserve(count_);
-    for (const Triangle& triangle : triangles) {
-      for (std::size_t s = 0; s != column_.size(); ++s) column_[s].push_back(triangle.vertex[s / 3][s % 3]);
-    }
-  }
-  [[nodiscard]] TriangleView view() const {
-    TriangleView view;
-    for (std::size_t s = 0; s != column_.size(); ++s) view.stream[s] = column_[s].data();
-    view.count = count_;
-    return view;
-  }
-
- private:
-  std::array<std::vector<float>, 9> column_;
-  std::size_t count_;
-};
+using BoxColumns = BoundColumns<Box, BoxView>;
+using SphereColumns = BoundColumns<Sphere, SphereView>;
+using TriangleColumns = BoundColumns<Triangle, TriangleView>;
 
 inline BoxColumns columns(const std::vector<Box>& boxes) { return BoxColumns(boxes); }
 inline SphereColumns columns(const std::vector<Sphere>& spheres) { return SphereColumns(spheres); }
