@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <utility>
+
+#include "oracle/shaft_input.hpp"
 
 namespace shaftcull {
 
@@ -13,11 +14,8 @@ std::string source_text(const HullInput& input) {
   const auto list = [](const std::vector<Vec3>& vectors) {
     std::string text = "{";
     for (const Vec3& v : vectors) {
-      char coordinates[120];
-      const int length = std::snprintf(coordinates, sizeof coordinates, "{%aF, %aF, %aF}", static_cast<double>(v[0]),
-                                       static_cast<double>(v[1]), static_cast<double>(v[2]));
       if (text.size() != 1) text += ", ";
-      text.append(coordinates, static_cast<std::size_t>(length));
+      text += source_text(v);
     }
     return text + "}";
   };

@@ -3,35 +3,23 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdio>
 
 #include "oracle/shaft_input.hpp"
 
 namespace shaftcull {
-namespace {
-
-std::string source_text(float x) {
-  char text[40];
-  const int length = std::snprintf(text, sizeof text, "%aF", static_cast<double>(x));
-  return {text, static_cast<std::size_t>(length)};
-}
-
-}  // namespace
 
 std::string source_text(const MovingInput& input) {
   std::string planes;
   const char* const contact = input.contact == Contact::open ? ", Contact::open)" : ")";
   for (const Plane& plane : input.added) {
-    planes += ", {{" + source_text(plane.normal[0]) + ", " + source_text(plane.normal[1]) + ", " +
-              source_text(plane.normal[2]) + "}, " + source_text(plane.offset) + "}";
+    planes += ", {" + source_text(plane.normal) + ", " + source_text(plane.offset) + "}";
   }
   if (input.is_shadow()) {
     return "shadow(" + source_text(input.light) + ", " + source_text(input.box) +
            (input.is_endless() ? "" : ", " + source_text(input.reach)) + planes + contact;
   }
-  const Vec3& d = input.displacement;
-  return std::string(input.is_endless() ? "swept_infinite(" : "swept(") + source_text(input.box) + ", {" +
-         source_text(d[0]) + ", " + source_text(d[1]) + ", " + source_text(d[2]) + "}" + planes + contact;
+  return std::string(input.is_endless() ? "swept_infinite(" : "swept(") + source_text(input.box) + ", " +
+         source_text(input.displacement) + planes + contact;
 }
 
 namespace oracle {

@@ -4,7 +4,6 @@
 #include <cstdio>
 
 namespace shaftcull {
-namespace {
 
 std::string source_text(float x) {
   char text[40];
@@ -15,8 +14,6 @@ std::string source_text(float x) {
 std::string source_text(const Vec3& v) {
   return "{" + source_text(v[0]) + ", " + source_text(v[1]) + ", " + source_text(v[2]) + "}";
 }
-
-}  // namespace
 
 std::string source_text(const Box& box) { return "Box{" + source_text(box.lo) + ", " + source_text(box.hi) + "}"; }
 

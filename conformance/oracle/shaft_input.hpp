@@ -28,6 +28,8 @@ inline CompiledShaft shaft_of(const ShaftInput& input) {
 }
 
 /// C++ source text that makes the same values again, to the bit.
+std::string source_text(float x);
+std::string source_text(const Vec3& v);
 std::string source_text(const Box& box);
 std::string source_text(const Sphere& sphere);
 std::string source_text(const ShaftInput& input);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdio>
 #include <optional>
 #include <vector>
 
@@ -13,18 +12,8 @@
 namespace shaftcull {
 
 std::string source_text(const Triangle& triangle) {
-  std::string text = "Triangle{{{";
-  for (std::size_t v = 0; v != 3; ++v) {
-    text += v == 0 ? "{" : ", {";
-    for (std::size_t k = 0; k != 3; ++k) {
-      char number[40];
-      const int length =
-          std::snprintf(number, sizeof number, "%s%aF", k == 0 ? "" : ", ", static_cast<double>(triangle.vertex[v][k]));
-      text.append(number, static_cast<std::size_t>(length));
-    }
-    text += "}";
-  }
-  return text + "}}}";
+  const auto& [p, q, r] = triangle.vertex;
+  return "Triangle{{{" + source_text(p) + ", " + source_text(q) + ", " + source_text(r) + "}}}";
 }
 
 namespace oracle {
