@@ -208,15 +208,7 @@ std::string as_json(const CullReport& report) {
 }  // namespace
 
 std::string format_report(const CullReport& report, ReportFormat format) {
-  switch (format) {
-    case ReportFormat::json:
-      return as_json(report);
-    case ReportFormat::csv:
-      return as_csv(report);
-    case ReportFormat::text:
-      break;
-  }
-  return as_text(report);
+  return in_format(format, report, as_text, as_json, as_csv);
 }
 
 }  // namespace shaftcull::cli

@@ -169,15 +169,7 @@ std::vector<double> factors_of_objects(const FactorsResult& result) {
 }
 
 std::string format_report(const FactorsResult& result, ReportFormat format) {
-  switch (format) {
-    case ReportFormat::json:
-      return json_of(result);
-    case ReportFormat::csv:
-      return csv_of(result);
-    case ReportFormat::text:
-      break;
-  }
-  return text_of(result);
+  return in_format(format, result, text_of, json_of, csv_of);
 }
 
 }  // namespace shaftcull::cli

@@ -177,15 +177,7 @@ std::string json_of(const SeesReport& report) {
 }  // namespace
 
 std::string format_report(const SeesReport& report, ReportFormat format) {
-  switch (format) {
-    case ReportFormat::json:
-      return json_of(report);
-    case ReportFormat::csv:
-      return csv_of(report);
-    case ReportFormat::text:
-      break;
-  }
-  return text_of(report);
+  return in_format(format, report, text_of, json_of, csv_of);
 }
 
 }  // namespace shaftcull::cli

@@ -158,15 +158,7 @@ void set_normals(SunResult& result) {
 }
 
 std::string format_report(const SunResult& result, ReportFormat format) {
-  switch (format) {
-    case ReportFormat::json:
-      return sun_json(result);
-    case ReportFormat::csv:
-      return sun_csv(result);
-    case ReportFormat::text:
-      break;
-  }
-  return sun_text(result);
+  return in_format(format, result, sun_text, sun_json, sun_csv);
 }
 
 void require_sun_name(const std::string& path) {
