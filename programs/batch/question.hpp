@@ -2,6 +2,8 @@
 /// What a job asks of each of its shafts.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "shaftcull/compiled.hpp"
@@ -34,46 +36,18 @@ struct Question {
   Contact contact = Contact::closed;
 };
 
+// Names are in the order of the enumerations.
 [[nodiscard]] constexpr const char* name_of(ShaftKind kind) noexcept {
-  switch (kind) {
-    case ShaftKind::between:
-      return "between";
-    case ShaftKind::shadow:
-      return "shadow";
-    case ShaftKind::swept:
-      return "swept";
-    case ShaftKind::sun:
-      break;
-  }
-  return "sun";
+  constexpr std::array names{"between", "shadow", "swept", "sun"};
+  return names[static_cast<std::size_t>(kind)];
 }
-
 [[nodiscard]] constexpr const char* name_of(Answer answer) noexcept {
-  switch (answer) {
-    case Answer::count:
-      return "count";
-    case Answer::list:
-      return "list";
-    case Answer::classify:
-      return "classify";
-    case Answer::first:
-      return "first";
-    case Answer::occluded:
-      break;
-  }
-  return "occluded";
+  constexpr std::array names{"count", "list", "classify", "first", "occluded"};
+  return names[static_cast<std::size_t>(answer)];
 }
-
 [[nodiscard]] constexpr const char* name_of(BoundKind kind) noexcept {
-  switch (kind) {
-    case BoundKind::box:
-      return "box";
-    case BoundKind::sphere:
-      return "sphere";
-    case BoundKind::triangle:
-      break;
-  }
-  return "triangle";
+  constexpr std::array names{"box", "sphere", "triangle"};
+  return names[static_cast<std::size_t>(kind)];
 }
 
 }  // namespace shaftcull::batch
