@@ -23,27 +23,21 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "bytes are read as they are in files");
 
-constexpr std::array known_numbers{Number::float32, Number::float64, Number::int32,
-                                   Number::uint32,  Number::int64,   Number::uint64};
+struct NumberType {
+  Number number;
+  const char* name;
+  const char* numpy;  ///< NumPy's name of the type in files
+  std::size_t bytes;
+};
+/// In the order of the enumeration.
+constexpr std::array number_types{
+    NumberType{Number::float32, "float32", "<f4", 4}, NumberType{Number::float64, "float64", "<f8", 8},
+    NumberType{Number::int32, "int32", "<i4", 4},     NumberType{Number::uint32, "uint32", "<u4", 4},
+    NumberType{Number::int64, "int64", "<i8", 8},     NumberType{Number::uint64, "uint64", "<u8", 8},
+};
 constexpr std::string_view known = "float32, float64, int32, uint32, int64 and uint64, little-endian";
 
-const char* numpy_type(Number number) {
-  switch (number) {
-    case Number::float32:
-      return "<f4";
-    case Number::float64:
-      return "<f8";
-    case Number::int32:
-      return "<i4";
-    case Number::uint32:
-      return "<u4";
-    case Number::int64:
-      return "<i8";
-    case Number::uint64:
-      break;
-  }
-  return "<u8";
-}
+const NumberType& type_of(Number number) noexcept { return number_types[static_cast<std::size_t>(number)]; }
 
 hid_t hdf5_type(Number number) {
   switch (number) {
@@ -72,27 +66,9 @@ std::optional<std::size_t> dataset_at(const std::string& name) {
 
 }  // namespace
 
-std::size_t bytes_of(Number number) noexcept {
-  return number == Number::float64 || number == Number::int64 || number == Number::uint64 ? 8 : 4;
-}
+std::size_t bytes_of(Number number) noexcept { return type_of(number).bytes; }
 
-const char* name_of(Number number) noexcept {
-  switch (number) {
-    case Number::float32:
-      return "float32";
-    case Number::float64:
-      return "float64";
-    case Number::int32:
-      return "int32";
-    case Number::uint32:
-      return "uint32";
-    case Number::int64:
-      return "int64";
-    case Number::uint64:
-      break;
-  }
-  return "uint64";
-}
+const char* name_of(Number number) noexcept { return type_of(number).name; }
 
 struct ArrayFile::Source {
   std::unique_ptr<MappedFile> file;
@@ -128,9 +104,9 @@ ArrayFile::ArrayFile(std::string name) : name_(std::move(name)), source_(std::ma
     }
     const NpyHeader header = read_npy_header(bytes, name_);
     bool found = false;
-    for (const Number number : known_numbers) {
-      if (header.type != numpy_type(number)) continue;
-      number_ = number;
+    for (const NumberType& type : number_types) {
+      if (header.type != type.numpy) continue;
+      number_ = type.number;
       found = true;
     }
     if (!found) refuse(fmt::format("holds numbers of NumPy's type {}; supported types are {}", header.type, known));
@@ -158,9 +134,9 @@ ArrayFile::ArrayFile(std::string name) : name_(std::move(name)), source_(std::ma
   if (!source_->dataset) refuse(fmt::format("{} has no dataset of that name: {}", path, hdf5_reason()));
   const Hdf5Handle type(H5Dget_type(source_->dataset), H5Tclose);
   bool found = false;
-  for (const Number number : known_numbers) {
-    if (H5Tequal(type, hdf5_type(number)) <= 0) continue;
-    number_ = number;
+  for (const NumberType& known_type : number_types) {
+    if (H5Tequal(type, hdf5_type(known_type.number)) <= 0) continue;
+    number_ = known_type.number;
     found = true;
   }
   if (!found) refuse(fmt::format("holds numbers of an unsupported type; supported types are {}", known));
