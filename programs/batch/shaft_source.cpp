@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cstring>
 #include <limits>
 #include <type_traits>
@@ -109,31 +108,17 @@ std::vector<const ArrayFile*> ShaftSource::arrays() const {
 void ShaftSource::form(std::uint64_t first, std::span<CompiledShaft> out, bool complete) const {
   std::vector<std::byte> scratch;
   const std::byte* const rows = read(first, out.size(), scratch);
-  std::atomic<std::uint64_t> bad_row = no_row;
-  for_chunks(out.size(), shafts_at_once, [&](std::size_t begin, std::size_t size) {
-    const std::span<CompiledShaft> chunk = out.subspan(begin, size);
-    const std::byte* const bytes = rows + begin * row_bytes_;
-    try {
-      form_chunk(first + begin, bytes, chunk);
-    } catch (const InvalidArgument&) {
-      // Which row it is, and why, is told below: of several chunks, by the first.
-      for (std::size_t i = 0; i != size; ++i) {
-        try {
-          form_one(first + begin + i, bytes + i * row_bytes_, chunk[i]);
-        } catch (const InvalidArgument&) {
-          std::uint64_t known = bad_row;
-          while (first + begin + i < known && !bad_row.compare_exchange_weak(known, first + begin + i)) continue;
-          return;
-        }
-      }
-      throw;
-    }
-    if (!complete) return;
-    for (CompiledShaft& shaft : chunk) shaftcull::complete(shaft);
-  });
-  if (const std::uint64_t row = bad_row; row != no_row) {
-    CompiledShaft shaft;
-    form_one(row, rows + (row - first) * row_bytes_, shaft);
+  try {
+    for_chunks(out.size(), shafts_at_once, [&](std::size_t begin, std::size_t size) {
+      const std::span<CompiledShaft> chunk = out.subspan(begin, size);
+      form_chunk(first + begin, rows + begin * row_bytes_, chunk);
+      if (!complete) return;
+      for (CompiledShaft& shaft : chunk) shaftcull::complete(shaft);
+    });
+  } catch (const InvalidArgument&) {
+    // The first bad row throws again, with its number and the reason.
+    for (std::size_t i = 0; i != out.size(); ++i) form_one(first + i, rows + i * row_bytes_, out[i]);
+    throw;
   }
 }
 
