@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 #include <string_view>
@@ -17,19 +16,10 @@
 #include "mesh_import.hpp"
 #include "mesh_parts.hpp"
 #include "shaftcull/error.hpp"
+#include "shaftcull/geometry.hpp"
 
 namespace shaftcull::cli {
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr Box empty_box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
-
-void grow(Box& box, const Box& other) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    box.lo[axis] = std::min(box.lo[axis], other.lo[axis]);
-    box.hi[axis] = std::max(box.hi[axis], other.hi[axis]);
-  }
-}
 
 /// Walks a file's nodes and collects what has faces.
 class Collector {
@@ -114,7 +104,7 @@ class Collector {
   void add_object(const Object& object_in_file) {
     const auto object = static_cast<std::uint32_t>(scene_.boxes.size());
     const std::string unique = unique_name(object_in_file.name);
-    Box whole = empty_box;
+    Box whole = box_around({});
     std::uint32_t triangle = 0;
     for (const auto& [placed, to_world] : object_in_file.meshes) {
       const aiMesh& mesh = *placed;
@@ -124,9 +114,8 @@ class Collector {
         if (mesh.mFaces[f].mNumIndices == 0) continue;
         std::array<Vec3, 3> vertices = face_vertices(mesh, mesh.mFaces[f], to_world, unique);
         if (reflects) std::swap(vertices[1], vertices[2]);
-        Box box = empty_box;
-        for (const Vec3& vertex : vertices) grow(box, {vertex, vertex});
-        grow(whole, box);
+        const Box box = box_around(vertices);
+        whole = joined(whole, box);
         triangles_.push_back({box, object, 0, triangle++, vertices});
       }
     }

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "shaftcull/geometry.hpp"
+
 namespace shaftcull::cli {
 namespace {
 
@@ -40,10 +42,7 @@ class Divider {
     const auto part = static_cast<std::uint32_t>(parts_.size());
     Box box = triangles_[chosen.front()].box;
     for (const std::uint32_t i : chosen) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        box.lo[axis] = std::min(box.lo[axis], triangles_[i].box.lo[axis]);
-        box.hi[axis] = std::max(box.hi[axis], triangles_[i].box.hi[axis]);
-      }
+      box = joined(box, triangles_[i].box);
       triangles_[i].part = part;
     }
     parts_.push_back({box, triangles_.front().object, static_cast<std::uint32_t>(part - first_part_ + 1)});

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "shaftcull/error.hpp"
+#include "shaftcull/geometry.hpp"
 #include "table.hpp"
 
 namespace shaftcull::cli {
@@ -82,9 +83,8 @@ double usual_patch_size(const MeshScene& scene) {
   Box all = scene.boxes.front();
   double longest = 0;
   for (const Box& box : scene.boxes) {
+    all = joined(all, box);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      all.lo[axis] = std::min(all.lo[axis], box.lo[axis]);
-      all.hi[axis] = std::max(all.hi[axis], box.hi[axis]);
       longest = std::max(longest, double{all.hi[axis]} - double{all.lo[axis]});
     }
   }

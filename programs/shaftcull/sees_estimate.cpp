@@ -17,6 +17,7 @@
 #include "part_count.hpp"
 #include "patch_rays.hpp"
 #include "printable.hpp"
+#include "shaftcull/geometry.hpp"
 #include "shaftcull/many.hpp"
 #include "table.hpp"
 
@@ -182,9 +183,8 @@ std::string coarseness(const SeesScene& scene) {
   float thinnest = std::numeric_limits<float>::infinity();
   Box all = scene.mesh.boxes.front();
   for (const Box& box : scene.mesh.boxes) {
+    all = joined(all, box);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      all.lo[axis] = std::min(all.lo[axis], box.lo[axis]);
-      all.hi[axis] = std::max(all.hi[axis], box.hi[axis]);
       largest = std::max({largest, std::abs(box.lo[axis]), std::abs(box.hi[axis])});
       longest = std::max(longest, all.hi[axis] - all.lo[axis]);
       if (box.hi[axis] > box.lo[axis]) thinnest = std::min(thinnest, box.hi[axis] - box.lo[axis]);
