@@ -21,15 +21,7 @@ const char* answer_name(const Candidate& candidate) {
 }
 
 const char* grain_name(Grain grain) {
-  switch (grain) {
-    case Grain::object:
-      return "object";
-    case Grain::part:
-      return "part";
-    case Grain::triangle:
-      break;
-  }
-  return "triangle";
+  return grain == Grain::object ? "object" : grain == Grain::part ? "part" : "triangle";
 }
 
 /// What tells a bound from others of its object: the number of its triangle or part; nothing if it is the object's.

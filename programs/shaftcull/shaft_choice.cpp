@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "shaft_choice.hpp"
 
+#include <array>
+#include <cstddef>
+
 #include <fmt/format.h>
 
 #include "box_text.hpp"
@@ -11,19 +14,8 @@
 namespace shaftcull::cli {
 
 std::string_view name(ShaftKind kind) {
-  switch (kind) {
-    case ShaftKind::swept:
-      return "swept";
-    case ShaftKind::swept_infinite:
-      return "swept without end";
-    case ShaftKind::shadow:
-      return "shadow";
-    case ShaftKind::hull:
-      return "hull";
-    case ShaftKind::between:
-      break;
-  }
-  return "between";
+  constexpr std::array names{"between", "swept", "swept without end", "shadow", "hull"};  // as in the enumeration
+  return names[static_cast<std::size_t>(kind)];
 }
 
 bool touch(const Box& a, const Box& b) {

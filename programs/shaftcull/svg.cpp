@@ -33,29 +33,13 @@ constexpr Colours green{"#8ce99a", "#2b8a3e", "#2b8a3e"};
 constexpr Colours dark{"#495057", "#212529", "#212529"};
 
 const Colours& colours_of(Answer answer) {
-  switch (answer) {
-    case Answer::inside:
-      return green;
-    case Answer::overlap:
-      return yellow;
-    case Answer::outside:
-      break;
-  }
-  return grey;
+  return answer == Answer::inside ? green : answer == Answer::overlap ? yellow : grey;
 }
 
 const Colours& colours_of(const DrawnBound& bound) { return bound.blocks ? dark : colours_of(bound.answer); }
 
 std::string_view text_of(Answer answer) {
-  switch (answer) {
-    case Answer::inside:
-      return "inside";
-    case Answer::overlap:
-      return "overlap";
-    case Answer::outside:
-      break;
-  }
-  return "outside";
+  return answer == Answer::inside ? "inside" : answer == Answer::overlap ? "overlap" : "outside";
 }
 
 /// A tenth of a pixel is enough.
