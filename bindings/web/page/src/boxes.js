@@ -49,15 +49,3 @@ export function aroundSpheres(spheres) {
   }
   return box;
 }
-
-/** The box around boxes. */
-export function aroundBoxes(boxes) {
-  const box = boxes.slice(0, 6);
-  for (let i = 6; i < boxes.length; i += 6) {
-    for (let k = 0; k < 3; k++) {
-      box[k] = Math.min(box[k], boxes[i + k]);
-      box[k + 3] = Math.max(box[k + 3], boxes[i + k + 3]);
-    }
-  }
-  return box;
-}

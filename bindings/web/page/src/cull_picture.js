@@ -5,7 +5,7 @@ import {
   LineSegments, Mesh, MeshBasicMaterial, PlaneGeometry, Scene as World, SphereGeometry, Vector3,
 } from 'three';
 import {ConvexGeometry} from 'three/addons/geometries/ConvexGeometry.js';
-import {aroundBoxes, aroundSpheres, boxesAround, cornersOf, middleOf} from './boxes.js';
+import {aroundSpheres, boxesAround, cornersOf, middleOf} from './boxes.js';
 import {BoundsMesh} from './bounds_mesh.js';
 import {colour} from './palette.js';
 
@@ -146,7 +146,7 @@ export class CullPicture {
 function boxOf(scene, index) {
   const bound = scene.bound(index);
   if (scene.shape === 'spheres') return aroundSpheres(bound);
-  return scene.shape === 'triangles' ? boxesAround(bound) : aroundBoxes(bound);
+  return scene.shape === 'triangles' ? boxesAround(bound) : bound;
 }
 
 /** Corners of the polygon in which a plane cuts a box, in order around it. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A scene: bounds of one shape, as the library holds them under a tree and flat.
-import {aroundBoxes, aroundSpheres, boxesAround} from './boxes.js';
+import {aroundSpheres, boxesAround} from './boxes.js';
 
 /** What a scene is made of: shape 'boxes' (6 floats each), 'spheres' (4) or 'triangles' (9). */
 export class Scene {
@@ -22,7 +22,7 @@ export class Scene {
       this.bounds = shape === 'spheres'
         ? {tree: hold(library.sphereTree(boxes)), flat: hold(library.sphereStream(boxes))}
         : {tree: hold(library.boxTree(boxes)), flat: hold(library.boxStream(boxes))};
-      this.around = shape === 'spheres' ? aroundSpheres(floats) : aroundBoxes(boxes);
+      this.around = shape === 'spheres' ? aroundSpheres(floats) : library.boxAround(boxes);  // of the corners of all
     } catch (error) {
       this.free();
       throw error;
