@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "columns.hpp"
 #include "hashes/cases.hpp"
 #include "hashes/digest.hpp"
 #include "hashes/hashes.hpp"
@@ -58,14 +59,7 @@ Occluders occluders(Numbers& numbers, Number number) {
   occluders.add_solids(solids);
   occluders.add_solid_hulls(corners, std::array<std::size_t, 2>{0, corners.size()});
   occluders.add_polygons(polygon, std::array<std::size_t, 2>{0, polygon.size()});
-  std::array<std::vector<float>, 9> column;
-  TriangleView view;
-  for (std::size_t s = 0; s != column.size(); ++s) {
-    for (const Triangle& triangle : triangles) column[s].push_back(triangle.vertex[s / 3][s % 3]);
-    view.stream[s] = column[s].data();
-  }
-  view.count = triangles.size();
-  occluders.add_triangles(view);
+  occluders.add_triangles(TriangleColumns(triangles).view());
   return occluders;
 }
 
