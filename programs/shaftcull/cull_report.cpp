@@ -37,10 +37,6 @@ std::string number_in_object(const CullReport& report, const CullBound& bound) {
   return fmt::format("{}", bound.triangle);
 }
 
-std::string plural(std::size_t count, std::string_view noun) {
-  return fmt::format("{} {}{}", grouped(count), noun, count == 1 ? "" : "s");
-}
-
 /// Which shaft, and what is the case of those that it keeps.
 struct Heading {
   std::string shaft;
@@ -65,15 +61,15 @@ Heading heading_of(const ShaftChoice& choice, const PairResult& pair) {
 
 std::string as_text(const CullReport& report) {
   std::string text =
-      fmt::format("{}: {}, {}, {}\n", printable(report.path), plural(report.scene.names.size(), "object"),
-                  plural(report.bounds.size(), fmt::format("{} bound", grain_name(report.grain))), report.isa);
+      fmt::format("{}: {}, {}, {}\n", printable(report.path), counted(report.scene.names.size(), "object"),
+                  counted(report.bounds.size(), fmt::format("{} bound", grain_name(report.grain))), report.isa);
   if (report.scene.origin != WorldPoint{}) {
     text += fmt::format("computed relative to {}, where floats are finer\n", fmt::join(report.scene.origin, ", "));
   }
   for (const PairResult& pair : report.pairs) {
     const auto inside = static_cast<std::size_t>(
         std::count_if(pair.candidates.begin(), pair.candidates.end(), [](const Candidate& c) { return c.inside; }));
-    const std::string kept = plural(pair.candidates.size(), grain_name(report.grain));
+    const std::string kept = counted(pair.candidates.size(), grain_name(report.grain));
     const Heading heading = heading_of(report.choice, pair);
     text += fmt::format("\n{}: ", printable(heading.shaft));
     text += !report.first_only        ? fmt::format("{} {}", kept, heading.verb)

@@ -19,10 +19,6 @@
 namespace shaftcull::cli {
 namespace {
 
-std::string some(std::size_t n, const char* one, const char* many) {
-  return fmt::format("{} {}", grouped(n), n == 1 ? one : many);
-}
-
 double place_in(const FacetMap& map, std::size_t patch) {
   return map.full > 0 ? std::clamp(map.values[patch] / map.full, 0.0, 1.0) : 0;
 }
@@ -30,9 +26,8 @@ double place_in(const FacetMap& map, std::size_t patch) {
 }  // namespace
 
 std::string FacetScene::described() const {
-  return fmt::format("{}: {}, {}, {}{}\n", printable(source), some(scene.mesh.names.size(), "object", "objects"),
-                     some(scene.mesh.triangles.size(), "triangle", "triangles"),
-                     some(patches.size(), "patch", "patches"),
+  return fmt::format("{}: {}, {}, {}{}\n", printable(source), counted(scene.mesh.names.size(), "object"),
+                     counted(scene.mesh.triangles.size(), "triangle"), counted(patches.size(), "patch", "patches"),
                      patch_size == 0 ? "" : fmt::format(" of at most {}", patch_size));
 }
 

@@ -42,10 +42,6 @@ Summary summary_of(const FactorsResult& result) {
 
 double rounded(double x) { return std::round(x * 1e9) / 1e9; }
 
-std::string count(std::size_t n, const char* noun) {
-  return fmt::format("{} {}{}", grouped(n), noun, n == 1 ? "" : "s");
-}
-
 /// Calls row(from, to, factor) for each two objects that see each other.
 template <class Row>
 void for_each_pair(const FactorsResult& result, const Row& row) {
@@ -66,7 +62,7 @@ std::string text_of(const FactorsResult& result) {
   text += fmt::format("pairs: {} clear, {} by rays, {} occluded, {} facing away\n", grouped(counts.clear),
                       grouped(counts.undecided), grouped(counts.occluded), grouped(counts.facing_away));
   text += fmt::format("{} above 0; the largest estimated error of a row sum is {:.1e}\n",
-                      count(result.factors.factor.size(), "factor"), of.largest_error);
+                      counted(result.factors.factor.size(), "factor"), of.largest_error);
   if (of.largest_sum > 0) {
     text += fmt::format("the largest row sum is {:.6f}, for patch {} of object {}\n", of.largest_sum, of.of_largest,
                         printable(result.scene.mesh.names[result.object_of(of.of_largest)]));

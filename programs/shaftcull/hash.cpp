@@ -60,7 +60,7 @@ class Hashing {
 
   void run() {
     const Workers workers(options_.threads);
-    progress_.milestone(fmt::format("{} families, {}, on:{}", families_.size(), size_text(), isa_names()));
+    progress_.milestone(fmt::format("{} families, {}, on:{}", families_.size(), size_text(), names_of(isas_)));
     workers.run([&] {
       for (const Family* const family : families_) {
         if (interrupt_.signal() != 0) return;
@@ -71,7 +71,7 @@ class Hashing {
 
   void print() const {
     fmt::print("{}", table_.text());
-    fmt::print("\nshaftcull {}, {}, on:{}\n", SHAFTCULL_VERSION_STRING, size_text(), isa_names());
+    fmt::print("\nshaftcull {}, {}, on:{}\n", SHAFTCULL_VERSION_STRING, size_text(), names_of(isas_));
   }
 
   [[nodiscard]] int interrupted() const noexcept { return done_ < families_.size() ? interrupt_.signal() : 0; }
@@ -82,11 +82,6 @@ class Hashing {
  private:
   [[nodiscard]] const char* size_text() const noexcept {
     return options_.quick ? "about 10,000 cases of each or more" : "a million cases of each";
-  }
-  [[nodiscard]] std::string isa_names() const {
-    std::string names;
-    for (const Isa isa : isas_) names += fmt::format(" {}", name(isa));
-    return names;
   }
 
   /// Adds a row; where hashes differ from the record, one for each of them.

@@ -35,6 +35,12 @@ std::vector<Isa> instruction_sets(const std::vector<std::string>& names) {
   return isas;
 }
 
+std::string names_of(const std::vector<Isa>& isas) {
+  std::string names;
+  for (const Isa isa : isas) names += fmt::format(" {}", name(isa));
+  return names;
+}
+
 void InstructionSet::add_option(CLI::App& subcommand) {
   subcommand
       .add_option("--isa", name_,

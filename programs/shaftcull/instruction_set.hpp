@@ -18,6 +18,9 @@ namespace shaftcull::cli {
 /// it has. Throws InvalidArgument for a name of none of these.
 [[nodiscard]] std::vector<Isa> instruction_sets(const std::vector<std::string>& names);
 
+/// Names of instruction sets, each after a space: " sse4_2 avx2".
+[[nodiscard]] std::string names_of(const std::vector<Isa>& isas);
+
 class InstructionSet {
  public:
   void add_option(CLI::App& subcommand);

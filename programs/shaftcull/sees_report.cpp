@@ -49,17 +49,14 @@ double rate_of(const SeesReport& report) {
 /// What was found, and what was named and skipped, in lines.
 std::string solids_text(const SeesSolids& solids) {
   std::string text;
-  const auto count = [](std::size_t n, const char* one, const char* more) {
-    return fmt::format("{} {}", grouped(n), n == 1 ? one : more);
-  };
   if (solids.hulls + solids.polygons + solids.inner_boxes != 0) {
-    text += fmt::format("solids found: {}, {}, {}\n", count(solids.hulls, "convex body", "convex bodies"),
-                        count(solids.polygons, "flat polygon", "flat polygons"),
-                        count(solids.inner_boxes, "box inside others", "boxes inside others"));
+    text += fmt::format("solids found: {}, {}, {}\n", counted(solids.hulls, "convex body", "convex bodies"),
+                        counted(solids.polygons, "flat polygon"),
+                        counted(solids.inner_boxes, "box inside others", "boxes inside others"));
   }
   if (solids.skipped != 0) {
     text += fmt::format("--solid: skipped {} that cannot be solid; the first is {}\n",
-                        count(solids.skipped, "object", "objects"), printable(solids.skipped_because));
+                        counted(solids.skipped, "object"), printable(solids.skipped_because));
   }
   return text;
 }
@@ -87,13 +84,10 @@ std::string table_of_objects(const SeesReport& report) {
 }
 
 std::string text_of(const SeesReport& report) {
-  const auto count = [](std::size_t n, const char* noun) {
-    return fmt::format("{} {}{}", grouped(n), noun, n == 1 ? "" : "s");
-  };
   std::string text = fmt::format("{}: {}, {}, {} of at most {:.4g}, {}, {} named as solid\n", printable(report.source),
-                                 count(report.objects, "object"), count(report.triangles, "triangle"),
+                                 counted(report.objects, "object"), counted(report.triangles, "triangle"),
                                  grouped(report.patches) + " patches", report.patch_size,
-                                 count(report.occluders, "occluder"), grouped(report.solids.named));
+                                 counted(report.occluders, "occluder"), grouped(report.solids.named));
   text += solids_text(report.solids);
   if (report.tolerance > 0) {
     text += fmt::format("patches within {:.2g} of a plane count as lying in it\n", report.tolerance);
@@ -108,10 +102,10 @@ std::string text_of(const SeesReport& report) {
   text += table.text();
   if (!report.object_pairs.empty()) text += '\n' + table_of_objects(report);
   return text + fmt::format("\n{:.2f} s, {}pairs/s, {}{}, {}, {} MB of memory{}\n", report.seconds,
-                            prefixed(rate_of(report)), count(static_cast<std::size_t>(report.threads), "thread"),
+                            prefixed(rate_of(report)), counted(static_cast<std::size_t>(report.threads), "thread"),
                             report.ranks == 1 ? "" : fmt::format(" on {} ranks", report.ranks), report.isa,
                             grouped((report.memory + 999'999) / 1'000'000),
-                            report.rays == 0 ? "" : fmt::format(", {} per pair", count(report.rays, "ray")));
+                            report.rays == 0 ? "" : fmt::format(", {} per pair", counted(report.rays, "ray")));
 }
 
 std::string csv_of_objects(const SeesReport& report) {

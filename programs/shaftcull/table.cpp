@@ -42,6 +42,11 @@ std::string grouped(unsigned long long count) {
   return text;
 }
 
+std::string counted(unsigned long long count, const std::string& noun, const std::string& plural) {
+  if (count == 1) return "1 " + noun;
+  return grouped(count) + ' ' + (plural.empty() ? noun + 's' : plural);
+}
+
 std::string prefixed(double rate) {
   if (rate >= 1e9) return fmt::format("{:.2f} G", rate / 1e9);
   if (rate >= 1e6) return fmt::format("{:.1f} M", rate / 1e6);

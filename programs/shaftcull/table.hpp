@@ -22,6 +22,9 @@ class Table {
 /// A count with grouped digits: 5380840 → "5,380,840".
 [[nodiscard]] std::string grouped(unsigned long long count);
 
+/// A count with its noun: "1 ray", "1,200 rays". Without `plural`, the plural is the noun with an s.
+[[nodiscard]] std::string counted(unsigned long long count, const std::string& noun, const std::string& plural = {});
+
 /// A cell of a CSV file: in quotes if that is needed.
 [[nodiscard]] std::string csv_cell(const std::string& text);
 

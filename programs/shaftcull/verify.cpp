@@ -54,7 +54,8 @@ class Verification {
   /// An interrupt gives up the batch of that moment: its cases do not count, but wrong answers found in it do.
   void run() {
     const Workers workers(options_.threads);
-    progress_.milestone(fmt::format("{} cases (seed {}) on:{}", grouped(options_.cases), options_.seed, isa_names()));
+    progress_.milestone(
+        fmt::format("{} cases (seed {}) on:{}", grouped(options_.cases), options_.seed, names_of(isas_)));
     workers.run([&] {
       while (compared_ < options_.cases && interrupt_.signal() == 0) {
         run_batch();
@@ -93,7 +94,7 @@ class Verification {
     add_row("all", sum);
     fmt::print("{}\n", table.text());
     fmt::print("{} cases (seed {}), each in slab and plane form on:{}\n", grouped(sum.bounds), options_.seed,
-               isa_names());
+               names_of(isas_));
     fmt::print("Undecided by the float filter: {} in slab form, {} in plane form\n", grouped(sum.undecided_slab),
                grouped(sum.undecided_planes));
     fmt::print(
@@ -108,12 +109,6 @@ class Verification {
 
  private:
   using Clock = std::chrono::steady_clock;
-
-  [[nodiscard]] std::string isa_names() const {
-    std::string names;
-    for (const Isa isa : isas_) names += fmt::format(" {}", name(isa));
-    return names;
-  }
 
   [[nodiscard]] double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
