@@ -1,6 +1,3 @@
 # SPDX-License-Identifier: MIT
 include(${CMAKE_CURRENT_LIST_DIR}/header_library.cmake)
 shaftcull_header_library(Boost::headers boost)
-if(TARGET Boost::headers)
-  set(Boost_FOUND TRUE)
-endif()

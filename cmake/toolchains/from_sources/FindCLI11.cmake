@@ -1,6 +1,3 @@
 # SPDX-License-Identifier: MIT
 include(${CMAKE_CURRENT_LIST_DIR}/header_library.cmake)
 shaftcull_header_library(CLI11::CLI11 CLI)
-if(TARGET CLI11::CLI11)
-  set(CLI11_FOUND TRUE)
-endif()

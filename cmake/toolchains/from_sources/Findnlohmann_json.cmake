@@ -1,6 +1,3 @@
 # SPDX-License-Identifier: MIT
 include(${CMAKE_CURRENT_LIST_DIR}/header_library.cmake)
 shaftcull_header_library(nlohmann_json::nlohmann_json nlohmann)
-if(TARGET nlohmann_json::nlohmann_json)
-  set(nlohmann_json_FOUND TRUE)
-endif()
