@@ -66,3 +66,10 @@ def test_cmake_installs_the_package_as_a_component(tmp_path):
     stubs = pathlib.Path(shaftcull.__file__).with_name("__init__.pyi")
     assert (package / "__init__.pyi").read_bytes() == stubs.read_bytes()
     assert_it_is_used(package.parent, tmp_path)
+
+
+def test_importing_the_sources_says_so():
+    environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
+    command = [sys.executable, "-B", "-c", "import shaftcull"]
+    done = subprocess.run(command, capture_output=True, text=True, env=environment, cwd=PACKAGE)
+    assert "\nImportError: shaftcull: this is the folder of its sources" in done.stderr
