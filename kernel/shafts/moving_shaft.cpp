@@ -2,10 +2,7 @@
 #include "shafts/moving_shaft.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <cstring>
 #include <limits>
 
@@ -23,55 +20,6 @@ namespace {
 using Kind = ShaftData::Kind;
 
 constexpr float largest_float = std::numeric_limits<float>::max();
-
-/// Overwrites the slab coefficients of a shaft without end by those of the endless form, if it suits.
-///
-/// The first constraint is that of the face that moves fastest of those that follow the box. It bounds t from above,
-/// wherever the bound is.
-bool write_endless_slab(ShaftData& shaft, const Lanes8& start, const Lanes8& slope) noexcept {
-  unsigned first = 0;
-  float speed = -1;
-  for (unsigned f = 0; f < 6; ++f) {
-    const float following = f < 3 ? slope[f] : -slope[f];
-    const bool is_faster = following > 0 && following > speed;
-    first = is_faster ? f : first;
-    speed = is_faster ? following : speed;
-  }
-  constexpr float no_bound = std::numeric_limits<float>::infinity();
-  constexpr Lanes8 still = {no_bound, no_bound, no_bound, -no_bound, -no_bound, -no_bound, 1, 1};
-  Lanes8 scale;
-  int suits = 1;
-  for (unsigned f = 0; f < 8; ++f) {
-    // A face that does not move bounds t from above, by +∞ (met) or −∞ (not met).
-    const float quotient = speed / slope[f];
-    scale[f] = slope[f] == 0 ? still[f] : quotient;
-    const float travel = std::fabs(slope[f]);
-    const float size = std::fabs(quotient);
-    // A denormal has fewer bits than the margin supposes: a face that is as much faster than all that follow the box.
-    // What the corner of a sphere is rounded by counts for so much of t, and must not overflow.
-    const int moves_well = (travel >= 1 / endless_limit) & (travel <= endless_limit) & (size <= largest_float) &
-                           (size >= least_endless_scale) & (std::fabs(start[f] * quotient) <= endless_start_limit);
-    suits &= (moves_well | (slope[f] == 0)) & (std::fabs(start[f]) <= endless_limit);
-  }
-  if (suits == 0) return false;
-  unsigned negative = 0;
-  for (unsigned f = 0; f < 6; ++f) negative |= static_cast<unsigned>(scale[f] < 0) << f;
-  const SlabOrder& order = slab_orders.by_negative[negative];
-  std::memcpy(shaft.slab_near, &order.selectors, sizeof order.selectors);
-  unsigned at = 0;  // of the first constraint, among those that bound t from above
-  for (unsigned i = 0; i < 6; ++i) {
-    const unsigned f = order.face[i];
-    shaft.slab_scale[i] = scale[f];
-    shaft.slab_shift[i] = start[f];
-    at = f == first ? i : at;
-  }
-  std::swap(shaft.slab_scale[0], shaft.slab_scale[at]);
-  std::swap(shaft.slab_shift[0], shaft.slab_shift[at]);
-  std::swap(shaft.slab_near[0], shaft.slab_near[at]);
-  shaft.slab_form = ShaftData::SlabForm::endless;
-  shaft.slab_margin = endless_margin;
-  return true;
-}
 
 /// Writes the slab coefficients of a shaft whose ends are rounded, as the faces' own slopes give them.
 SHAFTCULL_COLD void write_slab(ShaftData& shaft, const MovingFaces& faces) noexcept {
@@ -126,17 +74,15 @@ void form_to_end(const Kernels& kernels, const Movement& movement, ShaftData& sh
   shaft.largest_coordinate *= rounded_end_factor;
 }
 
-/// Writes a shaft without end, without planes.
+/// Writes a shaft without end, without planes, that has no endless slab form.
 void form_endless(const Movement& movement, ShaftData& shaft) noexcept {
   std::memcpy(&shaft.joining_count, &batch_flags, sizeof batch_flags);
   const MovingFaces faces = write_movement(movement, shaft);
   const Lanes8& start = movement.start;
   const bool is_shadow = movement.kind == Kind::shadow_without_end;
   double slope[8];
-  Lanes8 rounded_slope;
   for (unsigned f = 0; f < 8; ++f) {
     slope[f] = is_shadow ? double{start[f]} - double{movement.motion[f]} : double{movement.motion[f]};
-    rounded_slope[f] = static_cast<float>(slope[f]);  // infinite ones have no endless form
   }
   double speed = 0;
   double largest = 0;
@@ -160,7 +106,7 @@ void form_endless(const Movement& movement, ShaftData& shaft) noexcept {
   }
   std::memcpy(shaft.b, end, sizeof shaft.b);
   shaft.largest_coordinate = std::max(static_cast<float>(largest), largest_end);
-  if (!write_endless_slab(shaft, start, rounded_slope)) write_slab(shaft, faces);
+  write_slab(shaft, faces);
   shaft.largest_coordinate *= rounded_end_factor;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Forms the shaft of any moving box. kernels/forming/moving_box.hpp forms nearly all of them sooner, with the same
-/// bits.
+/// Forms the shaft of any moving box. kernels/forming/moving_box.hpp forms nearly all of them sooner: those that end
+/// with the same bits, and those without end in the endless slab form, which is made only there.
 #pragma once
 
 #include <cstring>
@@ -29,6 +29,7 @@ struct Movement {
 };
 
 /// Writes a shaft, without planes. What moves is finite, a direction is not 0, and a light is apart from its occluder.
+/// A shaft without end must be one that the kernel refuses: it has no endless slab form.
 void form(const Kernels& kernels, const Movement& movement, ShaftData& shaft) noexcept;
 
 }  // namespace shaftcull::kernel

@@ -123,13 +123,14 @@ struct Shadow {
   }
 };
 
-/// Forms one shaft of any kind, or throws.
+/// Completes one shaft of any kind, which is formed already or not, or throws.
 template <class Volume>
-SHAFTCULL_NOINLINE void form_any(std::span<const Plane> planes, const Volume& volume, ShaftData& shaft) {
+SHAFTCULL_NOINLINE void complete_any(std::span<const Plane> planes, const Volume& volume, bool is_formed,
+                                     ShaftData& shaft) {
   volume.require();
   if (!planes.empty()) kernel::require_planes(planes);
   const kernel::Kernels& kernels = kernel::active_kernels();
-  form(kernels, volume.movement(), shaft);
+  if (!is_formed) form(kernels, volume.movement(), shaft);
   if (!planes.empty()) kernel::add_planes(kernels, planes, shaft.face, shaft);
 }
 
@@ -139,7 +140,8 @@ CompiledShaft one(std::span<const Plane> planes, const Volume& volume) {
   CompiledShaft formed;
   ShaftData& shaft = kernel::data_of(formed);
   const kernel::FloatEnvironment environment;  // all in it is behind calls
-  if (!planes.empty() || !volume.quickly(kernel::active_kernels(), shaft)) form_any(planes, volume, shaft);
+  const bool is_formed = volume.quickly(kernel::active_kernels(), shaft);
+  if (!is_formed || !planes.empty()) complete_any(planes, volume, is_formed, shaft);
   return formed;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// Shafts of one moving box, formed and compiled in registers: its six faces in the lanes of one vector.
 ///
-/// Each kernel answers for nearly all boxes, with the bits of kernel/shafts/moving_shaft.cpp, which forms any. It
-/// returns false otherwise, and for arguments that are refused: what `out` holds then means nothing.
+/// Each kernel answers for nearly all boxes, if they end with the bits of kernel/shafts/moving_shaft.cpp, which forms
+/// the others. It returns false for those, and for arguments that are refused: what `out` holds then means nothing.
 #pragma once
 
 #include <cfloat>
