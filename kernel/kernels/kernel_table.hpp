@@ -32,11 +32,7 @@ using ClassifyOne = Answer(const ShaftData& shaft, const float* bound) noexcept;
 /// anew. A last word that they do not fill is filled up by boxes that are outside of everything.
 using BoxesAroundSpheres = void(const float* const* sphere, std::size_t count, float* const* box) noexcept;
 
-/// Forms the shafts of `count` pairs of boxes. Returns false, and writes nothing, if any box is not finite with lo ≤
-/// hi.
-using CompileBatch = bool(const float* const* a, const float* const* b, std::size_t count, ShaftData* out) noexcept;
-
-/// The same for boxes that are known to be finite with lo ≤ hi.
+/// Forms the shafts of `count` pairs of boxes that are known to be finite with lo ≤ hi.
 using CompileFinite = void(const float* const* a, const float* const* b, std::size_t count, ShaftData* out) noexcept;
 
 /// Whether all of `count` boxes are finite with lo ≤ hi.
@@ -237,7 +233,6 @@ struct Kernels {
   CompileMoving* compile_swept;
   CompileMoving* compile_swept_infinite;
   CompileShadow* compile_endless_shadow;
-  CompileBatch* compile_batch;
   CompileFinite* compile_finite;
   AllFinite* all_finite;
   AllPlanesUsable* all_planes_usable;

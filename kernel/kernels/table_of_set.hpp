@@ -34,26 +34,6 @@
 
 namespace shaftcull::kernel {
 
-/// Forms shafts in batches, as Kernels has it.
-template <class L>
-bool compile_pairs(const float* const* a, const float* const* b, std::size_t count, ShaftData* out) noexcept {
-  if (!all_finite<L>(a, count) || !all_finite<L>(b, count)) return false;
-  compile_slabs<L>(a, b, count, out);
-  return true;
-}
-
-/// As Kernels has it.
-template <class L>
-void compile_finite_pairs(const float* const* a, const float* const* b, std::size_t count, ShaftData* out) noexcept {
-  compile_slabs<L>(a, b, count, out);
-}
-
-/// As Kernels has it.
-template <class L>
-bool all_boxes_finite(const float* const* box, std::size_t count) noexcept {
-  return all_finite<L>(box, count);
-}
-
 /// Tests on a grid, where there are vectors of 16-bit integers.
 template <class L>
 constexpr GridKernels grid_kernels() noexcept {
@@ -102,9 +82,8 @@ inline constexpr Kernels kernels_for = {
     .compile_swept = compile_swept<FormationLanes>,
     .compile_swept_infinite = compile_swept_infinite<FormationLanes>,
     .compile_endless_shadow = compile_endless_shadow<FormationLanes>,
-    .compile_batch = compile_pairs<FormationLanes>,
-    .compile_finite = compile_finite_pairs<FormationLanes>,
-    .all_finite = all_boxes_finite<FormationLanes>,
+    .compile_finite = compile_slabs<FormationLanes>,
+    .all_finite = all_finite<FormationLanes>,
     .all_planes_usable = all_planes_usable<FormationLanes>,
     .add_planes = add_planes<FormationLanes>,
     .listed_boxes = test_listed_words<L, BoxStages<L>>,

@@ -119,17 +119,12 @@ void compile_batch(const BoxView& a, const BoxView& b, std::span<CompiledShaft> 
   const kernel::Kernels& kernels = kernel::active_kernels();
   const kernel::PlanesOfPairs added(kernels, planes, a.count, b.count);
   const std::span<kernel::ShaftData> data = kernel::data_of(out);
-  const auto reject = [&] {
+  if (!kernels.all_finite(a.stream.data(), a.count) || !kernels.all_finite(b.stream.data(), b.count)) {
     for (std::size_t i = 0; i != a.count; ++i) require_pair(a[i], b[i], i);
-  };
-  if (added.empty()) {
-    if (!kernels.compile_batch(a.stream.data(), b.stream.data(), a.count, data.data())) reject();
-    apply_contact(data, contact);
-    return;
   }
-  if (!kernels.all_finite(a.stream.data(), a.count) || !kernels.all_finite(b.stream.data(), b.count)) reject();
-  for (std::size_t first = 0; first < out.size(); first += chunk) {
-    const std::size_t size = std::min(chunk, out.size() - first);
+  const std::size_t at_once = added.empty() ? out.size() : chunk;
+  for (std::size_t first = 0; first < out.size(); first += at_once) {
+    const std::size_t size = std::min(at_once, out.size() - first);
     const BoxView some_a = a.slice(first, size);
     const BoxView some_b = b.slice(first, size);
     const auto shafts = data.subspan(first, size);
