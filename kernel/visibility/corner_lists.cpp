@@ -8,12 +8,24 @@
 #include "support/arguments.hpp"
 #include "support/exact_floats.hpp"
 #include "support/fail.hpp"
+#include "support/padding.hpp"
 #include "support/text.hpp"
 
 namespace shaftcull::kernel {
 
 bool is_finite(const Vec3& point) noexcept {
   return std::all_of(point.begin(), point.end(), [](float x) { return std::isfinite(x); });
+}
+
+Box box_around_corners(std::span<const Vec3> corners) noexcept {
+  Box box = empty_box;
+  for (const Vec3& corner : corners) {
+    for (std::size_t k = 0; k != 3; ++k) {
+      box.lo[k] = std::min(box.lo[k], corner[k]);
+      box.hi[k] = std::max(box.hi[k], corner[k]);
+    }
+  }
+  return box;
 }
 
 void require_parts(std::span<const std::size_t> first, std::size_t size, const char* name, const char* noun) {

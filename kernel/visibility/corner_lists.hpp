@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Checks of lists of corners: of hulls, polygons and patches, one after another.
+/// Lists of corners, of hulls, polygons and patches, one after another: checks, and boxes around them.
 #pragma once
 
 #include <cstddef>
@@ -13,6 +13,9 @@ namespace shaftcull::kernel {
 inline constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();
 
 [[nodiscard]] bool is_finite(const Vec3& point) noexcept;
+
+/// The box around finite corners; an empty one around none.
+[[nodiscard]] Box box_around_corners(std::span<const Vec3> corners) noexcept;
 
 /// The parts of a list, of which part i begins at first[i] and ends where the next one begins. Throws unless they
 /// ascend from 0 to `size`.

@@ -17,6 +17,7 @@
 #include "support/fail.hpp"
 #include "support/float_environment.hpp"
 #include "support/text.hpp"
+#include "visibility/corner_lists.hpp"
 #include "visibility/light_rays.hpp"
 #include "visibility/patch_outline.hpp"
 #include "visibility/patch_tree.hpp"

@@ -16,22 +16,10 @@
 #include "shaftcull/solids.hpp"
 #include "solids/bodies.hpp"
 #include "support/fail.hpp"
-#include "support/padding.hpp"
+#include "visibility/corner_lists.hpp"
 #include "visibility/occluders.hpp"
 
 namespace shaftcull::kernel {
-
-/// Grows by points.
-struct PointBox {
-  Box box = empty_box;
-
-  void add(const Vec3& point) noexcept {
-    for (std::size_t k = 0; k != 3; ++k) {
-      box.lo[k] = std::min(box.lo[k], point[k]);
-      box.hi[k] = std::max(box.hi[k], point[k]);
-    }
-  }
-};
 
 /// What is added; nothing of it stays unless it is kept at the end.
 class OccluderAddition {
@@ -89,10 +77,8 @@ class OccluderAddition {
     data_.points.insert(data_.points.end(), points.begin(), points.end());
   }
   void add_triangle(std::uint32_t number, const Triangle& triangle) {
-    PointBox around;
-    for (const Vec3& vertex : triangle.vertex) around.add(vertex);
     data_.triangles.push_back(number);
-    data_.triangle_boxes.push_back(row_of(around.box));
+    data_.triangle_boxes.push_back(row_of(box_around_corners(triangle.vertex)));
     data_.triangle_vertices.push_back(triangle.vertex);
   }
   /// A polygon that makes pairs occluded; it may be an occluder or not. With a back polygon, it is a plate.

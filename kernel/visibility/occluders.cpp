@@ -46,11 +46,7 @@ void add_parts(std::span<const Vec3> corners, std::span<const std::size_t> first
   kernel::require_corner_lists(corners, first, noun, fewest, most);
   for (std::size_t i = 0; i + 1 < first.size(); ++i) {
     const std::span<const Vec3> part = corners.subspan(first[i], first[i + 1] - first[i]);
-    kernel::PointBox around;
-    for (const Vec3& corner : part) {
-      around.add(corner);
-    }
-    add(around.box, part);
+    add(kernel::box_around_corners(part), part);
   }
 }
 
@@ -108,20 +104,17 @@ void require_triangles(const TriangleView& triangles) {
 /// Adds a group: triangles with these numbers.
 void add_group(kernel::OccluderAddition& addition, const TriangleView& triangles,
                std::span<const std::uint32_t> numbers) {
-  kernel::PointBox around;
   std::vector<Vec3> vertices;
   for (const std::uint32_t number : numbers) {
     addition.add_triangle(number, triangles[number]);
-    for (const Vec3& vertex : triangles[number].vertex) {
-      around.add(vertex);
-      vertices.push_back(vertex);
-    }
+    for (const Vec3& vertex : triangles[number].vertex) vertices.push_back(vertex);
   }
+  const Box around = kernel::box_around_corners(vertices);
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   put_extremes_first(vertices);
   for (const Vec3& vertex : vertices) addition.add_point(vertex);
-  addition.add(around.box, kernel::OccluderKind::triangles);
+  addition.add(around, kernel::OccluderKind::triangles);
 }
 
 void add_groups(kernel::OccluderAddition& addition, const TriangleView& triangles,

@@ -5,6 +5,7 @@
 
 #include "support/exact_floats.hpp"
 #include "visibility/cone_planes.hpp"
+#include "visibility/corner_lists.hpp"
 #include "visibility/lanes.hpp"
 
 namespace shaftcull::kernel {

@@ -6,8 +6,10 @@
 #include <limits>
 #include <new>
 
+#include "exact/polygon.hpp"
 #include "simd/baseline_four_floats.hpp"
 #include "support/exact_floats.hpp"
+#include "visibility/corner_lists.hpp"
 #include "visibility/lanes.hpp"
 #include "visibility/patch_facings.hpp"
 #include "visibility/patch_halving.hpp"
@@ -147,29 +149,10 @@ PatchCorners CornerStreams::of(std::size_t patch) const noexcept {
   return corners;
 }
 
-Box box_around_corners(std::span<const Vec3> corners) noexcept {
-  Box box{corners.front(), corners.front()};
-  for (const Vec3& corner : corners) {
-    for (std::size_t k = 0; k != 3; ++k) {
-      box.lo[k] = std::min(box.lo[k], corner[k]);
-      box.hi[k] = std::max(box.hi[k], corner[k]);
-    }
-  }
-  return box;
-}
-
 PatchCorners corners_of_box(const Box& box) noexcept {
   PatchCorners corners;
-  for (unsigned c = 0; c != 8; ++c) {
-    Vec3 corner{};
-    bool is_again = false;
-    for (unsigned k = 0; k != 3; ++k) {
-      const bool is_hi = (c >> k & 1U) != 0;
-      corner[k] = is_hi ? box.hi[k] : box.lo[k];
-      is_again = is_again || (is_hi && box.lo[k] == box.hi[k]);
-    }
-    if (!is_again) corners.add(corner);
-  }
+  const BoxCorners all({box.lo[0], box.lo[1], box.lo[2], box.hi[0], box.hi[1], box.hi[2]});
+  for (const Vec3& corner : all.get()) corners.add(corner);
   return corners;
 }
 

@@ -169,8 +169,6 @@ class PatchTree {
 
 /// The corners of a box that differ.
 [[nodiscard]] PatchCorners corners_of_box(const Box& box) noexcept;
-/// The box around corners.
-[[nodiscard]] Box box_around_corners(std::span<const Vec3> corners) noexcept;
 /// Whether corners are those of the box around them, in any order, with or without others.
 [[nodiscard]] bool are_corners_of_box(std::span<const Vec3> corners, const Box& box) noexcept;
 

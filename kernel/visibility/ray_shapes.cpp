@@ -15,6 +15,7 @@
 #include "shaftcull/geometry.hpp"
 #include "support/double3.hpp"
 #include "support/fail.hpp"
+#include "visibility/corner_lists.hpp"
 #include "visibility/occluders.hpp"
 #include "visibility/patch_outline.hpp"
 #include "visibility/patch_tree.hpp"

@@ -14,6 +14,7 @@
 #include "support/fail.hpp"
 #include "support/float_environment.hpp"
 #include "support/text.hpp"
+#include "visibility/corner_lists.hpp"
 
 namespace shaftcull {
 namespace {
@@ -159,13 +160,7 @@ Double3 largest_half_extent(std::span<const HullPlane> planes, const Double3& mi
 }
 
 Box box_inside(std::span<const Vec3> corners) {
-  Box around{corners[0], corners[0]};
-  for (const Vec3& corner : corners) {
-    for (std::size_t k = 0; k != 3; ++k) {
-      around.lo[k] = std::min(around.lo[k], corner[k]);
-      around.hi[k] = std::max(around.hi[k], corner[k]);
-    }
-  }
+  const Box around = kernel::box_around_corners(corners);
   // The hull may be a box as it is.
   const ConvexHull hull(corners);
   if (classify(hull, around) == Answer::inside) return around;
