@@ -5,7 +5,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 
 #include "query/counters.hpp"
 #include "query/outputs.hpp"
@@ -121,27 +120,6 @@ class LimitedLister {
  private:
   List kept_;
   std::size_t left_;
-};
-
-/// Visitor that takes the first kept leaf in tree order, and then ends the walk.
-class FirstFinder {
- public:
-  static constexpr bool reads_indices = true;
-
-  explicit FirstFinder(const LeafIndices& indices) noexcept : indices_(indices) {}
-
-  void word(std::size_t first, std::uint64_t kept, std::uint64_t /*inside*/) noexcept {
-    if (kept != 0 && !found_) found_ = indices_[first + static_cast<std::size_t>(std::countr_zero(kept))];
-  }
-  void range(std::size_t first, std::size_t /*size*/) noexcept {
-    if (!found_) found_ = indices_[first];
-  }
-  [[nodiscard]] bool is_done() const noexcept { return found_.has_value(); }
-  [[nodiscard]] const std::optional<std::uint32_t>& found() const noexcept { return found_; }
-
- private:
-  LeafIndices indices_;
-  std::optional<std::uint32_t> found_;
 };
 
 /// Visitor that lists what is kept.

@@ -3,6 +3,7 @@
 /// and queries that end early, are asked shaft by shaft.
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "flat/batch_job.hpp"
 #include "flat/index_writer.hpp"
@@ -92,13 +93,16 @@ void list_walk(const TreeQuery& walks, std::size_t s, const List& list, std::siz
   }
 }
 
-std::size_t list_kept(const Asked& asked, std::span<std::uint32_t> kept) {
-  const std::size_t limit = asked.options().limit();
+std::size_t list_kept(const Asked& asked, std::span<std::uint32_t> kept, std::size_t limit) {
   const TreeQuery* const walks = asked.walks();
   if (walks == nullptr) return limit == 0 ? 0 : list_scan(asked, kept, limit);
   Output output(kept);
   list_walk(*walks, 0, SpanList(walks->indices(), output), limit);
   return output.count();
+}
+
+std::size_t list_kept(const Asked& asked, std::span<std::uint32_t> kept) {
+  return list_kept(asked, kept, asked.options().limit());
 }
 
 KeptCounts list_classified_scan(const Asked& asked, std::span<std::uint32_t> overlap, std::span<std::uint32_t> inside) {
@@ -284,6 +288,14 @@ void list_classified_many(std::span<const CompiledShaft> shafts, const Bounds& b
   insides.concatenate(write);
   overlaps.complete();
   insides.complete();
+}
+
+std::optional<std::uint32_t> find_occluder(const CompiledShaft& shaft, const Bounds& solids, const Query& query) {
+  const Asked asked("find_occluder", {&shaft, 1}, solids, Question::blocking, query, {.only = false});
+  asked.require_index_width();
+  std::uint32_t first = 0;
+  if (list_kept(asked, {&first, 1}, 1) == 0) return std::nullopt;
+  return first;
 }
 
 std::size_t list_occluders(const CompiledShaft& shaft, const Bounds& solids, std::span<std::uint32_t> blocking,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// occluded() by one box or polygon, and find_occluder(). occluded() by many: counts.cpp; list_occluders(): lists.cpp.
+/// occluded() by one box or polygon. occluded() by many: counts.cpp; find_occluder() and list_occluders(): lists.cpp.
 #include "shaftcull/occluded.hpp"
 
 #include <algorithm>
@@ -9,14 +9,11 @@
 #include "compiled/answers.hpp"
 #include "exact/blocking.hpp"
 #include "exact/polygon.hpp"
-#include "flat/scan.hpp"
 #include "shaftcull/error.hpp"
 #include "support/arguments.hpp"
 #include "support/fail.hpp"
 #include "support/float_environment.hpp"
 #include "support/text.hpp"
-#include "tree/tree_query.hpp"
-#include "verbs/asked.hpp"
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 
@@ -43,26 +40,6 @@ bool occluded(const CompiledShaft& shaft, std::span<const Vec3> polygon) {
     }
     return kernel::polygon_blocks(data, polygon);
   });
-}
-
-std::optional<std::uint32_t> find_occluder(const CompiledShaft& shaft, const Bounds& solids, const Query& query) {
-  const kernel::Asked asked("find_occluder", {&shaft, 1}, solids, kernel::Question::blocking, query, {.only = false});
-  asked.require_index_width();
-  if (const kernel::TreeQuery* const walks = asked.walks()) {
-    kernel::FirstFinder first(walks->indices());
-    walks->walk(0, first);
-    return first.found();
-  }
-  std::optional<std::uint32_t> first;
-  const kernel::Scan scan = asked.scan(0);
-  scan.for_each_chunk(kernel::first_chunk_bounds, [&](const kernel::ScannedChunk& chunk) {
-    kernel::for_each_bit(chunk.kept, chunk.words, [&](std::size_t i) {
-      first = scan.index_of(chunk.first + i);
-      return false;
-    });
-    return !first.has_value();
-  });
-  return first;
 }
 
 }  // namespace shaftcull
