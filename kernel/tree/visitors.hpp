@@ -64,7 +64,7 @@ class KeptLeavesList {
   KeptLeavesOutput& output_;
 };
 
-/// Leaves as bits by the user's index, which are all zero at first.
+/// Leaves as bits by the user's index, which are all zero at first. If they are null, none are written.
 class IndexBits {
  public:
   static constexpr bool reads_indices = true;
@@ -72,9 +72,11 @@ class IndexBits {
   IndexBits(const LeafIndices& indices, std::uint64_t* words) noexcept : indices_(indices), words_(words) {}
 
   void bits(std::size_t first, std::uint64_t bits) noexcept {
+    if (words_ == nullptr) return;
     for (; bits != 0; bits &= bits - 1) set(first + static_cast<std::size_t>(std::countr_zero(bits)));
   }
   void range(std::size_t first, std::size_t size) noexcept {
+    if (words_ == nullptr) return;
     for (std::size_t leaf = first; leaf != first + size; ++leaf) set(leaf);
   }
 
@@ -135,21 +137,6 @@ class KeptLister {
 
  private:
   List kept_;
-};
-
-/// Visitor that lists what is inside.
-template <class List>
-class InsideLister {
- public:
-  static constexpr bool reads_indices = List::reads_indices;
-
-  explicit InsideLister(const List& inside) noexcept : inside_(inside) {}
-
-  void word(std::size_t first, std::uint64_t /*kept*/, std::uint64_t inside) { inside_.bits(first, inside); }
-  void range(std::size_t first, std::size_t size) { inside_.range(first, size); }
-
- private:
-  List inside_;
 };
 
 /// Visitor that lists what is kept and, once more, what of that is inside.

@@ -43,16 +43,8 @@ void require_rows(const Asked& asked, const char* name, std::span<const std::uin
 /// Sets the bits of shaft s in rows of zeros, by the user's index. Rows that are null are not written.
 void write_row_of_tree(const TreeQuery& walks, std::size_t s, std::uint64_t* kept, std::uint64_t* inside) {
   const auto bits_in = [&walks](std::uint64_t* row) { return kernel::IndexBits(walks.indices(), row); };
-  if (inside == nullptr) {
-    kernel::KeptLister visitor(bits_in(kept));
-    walks.walk(s, visitor);
-  } else if (kept == nullptr) {
-    kernel::InsideLister visitor(bits_in(inside));
-    walks.walk(s, visitor);
-  } else {
-    kernel::KeptAndInsideLister visitor(bits_in(kept), bits_in(inside));
-    walks.walk(s, visitor);
-  }
+  kernel::KeptAndInsideLister visitor(bits_in(kept), bits_in(inside));
+  walks.walk(s, visitor);
 }
 
 void write_row_of_candidates(const Scan& scan, std::uint64_t* kept, std::uint64_t* inside) {
