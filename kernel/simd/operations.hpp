@@ -8,8 +8,9 @@
 ///     Integers16     vectors of 16-bit integers, for tests on a grid           Integer16Operations, if the set has
 ///     them
 ///
-/// A kernel is a template on Floats, which names the other two. portable.hpp has every operation in plain C++: a new
-/// set starts from it and replaces what its processor does better. tests/simd checks every operation of every set.
+/// A kernel is a template on Floats, which names the other two. portable.hpp has every operation on floats in plain
+/// C++: a new set starts from it and replaces what its processor does better. tests/simd checks every operation of
+/// every set.
 ///
 /// What holds of all of them:
 /// - Arithmetic is IEEE 754 single precision, rounded to nearest, ties to even. Each operation rounds once;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Every operation of operations.hpp in plain C++: what a new instruction set starts from.
+/// Every operation of operations.hpp on floats in plain C++: what a new instruction set starts from.
 ///
 /// A set derives from these classes and replaces the operations that its processor has instructions for. `Set` is a
 /// type of the set's namespace: functions are the set's own, since it is compiled with flags of its own
@@ -352,81 +352,6 @@ struct PortableFloats {
       for (unsigned i = 0; i < half; ++i) lane[i] = one(lane[i], lane[i + half]);
     }
     return lane[0];
-  }
-};
-
-/// Integer16Operations on vectors of the compiler, beside `FloatVectors`. Integers lie in memory in their order.
-template <class FloatVectors>
-struct PortableIntegers16 {
-  using Floats = FloatVectors;
-  static constexpr unsigned width = 2 * Floats::width;
-  static constexpr unsigned vectors = 64 / width;
-  using Vector = typename CompilerVector<std::int16_t, width>::Type;
-
-  static Vector load(const std::int16_t* p) noexcept {
-    Vector a;
-    std::memcpy(&a, p, sizeof a);
-    return a;
-  }
-  static Vector all(std::int16_t a) noexcept { return Vector{} + a; }
-  static Vector add(Vector a, Vector b) noexcept { return of_bits(bits_of(a) + bits_of(b)); }
-  static Vector subtract(Vector a, Vector b) noexcept { return of_bits(bits_of(a) - bits_of(b)); }
-  static Vector minimum(Vector a, Vector b) noexcept { return choose(a < b, a, b); }
-  static Vector maximum(Vector a, Vector b) noexcept { return choose(a > b, a, b); }
-  static Vector subtract_saturated(Vector a, Vector b) noexcept {
-    const Vector difference = subtract(a, b);
-    const Vector overflows = ((a ^ b) & (a ^ difference)) >> 15;
-    return choose(overflows, (a >> 15) ^ std::int16_t{0x7fff}, difference);
-  }
-  static Vector multiply(Vector a, Vector b) noexcept {
-    using Wide = typename CompilerVector<std::int32_t, width>::Type;
-    const Wide product = converted<Wide>(a) * converted<Wide>(b);
-    return converted<Vector>((product + (1 << 14)) >> 15);
-  }
-
-  static void store_rounded(std::int16_t* out, const typename Floats::Vector (&of)[64 / Floats::width],
-                            Vector least) noexcept {
-    using Integers = typename CompilerVector<std::int32_t, Floats::width>::Type;
-    using Narrow = typename CompilerVector<std::int16_t, Floats::width>::Type;
-    // Added to 1.5 · 2²³, a small number is rounded to an integer, which the low bits hold.
-    constexpr float shift = 0x1.8p23F;
-    const auto least_float = Floats::all(static_cast<float>(least[0]));
-    for (unsigned v = 0; v < 64 / Floats::width; ++v) {
-      const auto shifted = Floats::add(Floats::maximum(of[v], least_float), Floats::all(shift));
-      const Integers integers = __builtin_bit_cast(Integers, shifted) - __builtin_bit_cast(std::int32_t, shift);
-      const Narrow narrow = converted<Narrow>(integers);
-      std::memcpy(out + v * Floats::width, &narrow, sizeof narrow);
-    }
-  }
-
-  static Outcomes outcomes(const Vector (&of)[vectors], Vector limit) noexcept {
-    const Vector limits = of_bits(bits_of(limit) >> 8);
-    Outcomes outcomes{};
-    Vector undecided{};
-    for (unsigned v = 0; v < vectors; ++v) {
-      outcomes.yes |= bits(of[v] < 0) << v * width;
-      undecided |= (of[v] >= 0) & (of[v] <= limits);
-    }
-    constexpr std::uint64_t in_every_vector = ~std::uint64_t{0} / ((std::uint64_t{1} << width) - 1);
-    outcomes.undecided = bits(undecided) * in_every_vector;
-    return outcomes;
-  }
-
- private:
-  using Bits = typename CompilerVector<std::uint16_t, width>::Type;
-  static Bits bits_of(Vector a) noexcept { return __builtin_bit_cast(Bits, a); }
-  static Vector of_bits(Bits a) noexcept { return __builtin_bit_cast(Vector, a); }
-  static Vector choose(Vector mask, Vector a, Vector b) noexcept { return (a & mask) | (b & ~mask); }
-  /// Bit i is lane i, each −1 or 0.
-  static std::uint64_t bits(Vector mask) noexcept {
-    Bits bit{};
-    for (unsigned i = 0; i < width; ++i) bit[i] = static_cast<std::uint16_t>(1U << i);
-    const Bits its_own = bits_of(mask) & bit;
-    std::uint64_t four[width / 4];
-    std::memcpy(four, &its_own, sizeof four);
-    for (unsigned i = 1; i < width / 4; ++i) four[0] |= four[i];
-    four[0] |= four[0] >> 32U;
-    return (four[0] | four[0] >> 16U) & 0xffff;
   }
 };
 

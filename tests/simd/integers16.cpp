@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Every operation on vectors of 16-bit integers, on each set that has them, against a plain definition: those of
-/// portable128 are the portable ones, which new sets start from.
+/// Every operation on vectors of 16-bit integers, on each set that has them, against a plain definition.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -210,8 +210,6 @@ template <class F>
 constexpr Integer16Table integers_of() noexcept {
   if constexpr (requires { typename F::Integers16; }) {
     return integer16_table<typename F::Integers16>();
-  } else if constexpr (F::width > 1) {  // the portable ones, which a new set starts from
-    return integer16_table<kernel::PortableIntegers16<F>>();
   } else {
     return {};
   }
