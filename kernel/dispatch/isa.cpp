@@ -12,7 +12,6 @@
 #include "shaftcull/error.hpp"
 #include "support/compiler.hpp"
 #include "support/fail.hpp"
-#include "support/processor.hpp"
 
 namespace shaftcull {
 namespace kernel {

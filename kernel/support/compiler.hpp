@@ -31,6 +31,14 @@
 #define SHAFTCULL_TARGET_ARM64
 #endif
 
+/// Whether programs can use a feature of x86, "avx2" for example: the processor has it, and the operating system saves
+/// its registers. False on other processors.
+#ifdef SHAFTCULL_TARGET_SSE2
+#define SHAFTCULL_PROCESSOR_HAS(feature) (__builtin_cpu_init(), __builtin_cpu_supports(feature) != 0)
+#else
+#define SHAFTCULL_PROCESSOR_HAS(feature) false
+#endif
+
 /// Whether there are integers of 128 bits: on 64-bit processors.
 #if defined(__SIZEOF_INT128__)
 #define SHAFTCULL_HAS_INT128
@@ -103,22 +111,6 @@ template <class Number>
 SHAFTCULL_ALWAYS_INLINE inline bool atomic_exchange(Number* number, Number& expected, Number wanted) noexcept {
   return __atomic_compare_exchange_n(number, &expected, wanted, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED);
 }
-
-#ifdef SHAFTCULL_TARGET_SSE2
-/// What the processor says of itself: EAX, EBX, ECX and EDX. Takes long, on a virtual machine most of all.
-SHAFTCULL_ALWAYS_INLINE inline void cpuid(std::uint32_t leaf, std::uint32_t (&registers)[4]) noexcept {
-  asm volatile("cpuid"
-               : "=a"(registers[0]), "=b"(registers[1]), "=c"(registers[2]), "=d"(registers[3])
-               : "a"(leaf), "c"(0));
-}
-/// Which registers the operating system saves. Only for processors with OSXSAVE.
-SHAFTCULL_ALWAYS_INLINE inline std::uint64_t read_xcr0() noexcept {
-  std::uint32_t low;
-  std::uint32_t high;
-  asm volatile("xgetbv" : "=a"(low), "=d"(high) : "c"(0));
-  return std::uint64_t{high} << 32U | low;
-}
-#endif
 
 /// The compiler moves no access to memory from one side of this to the other.
 SHAFTCULL_ALWAYS_INLINE inline void keep_order_of_memory() noexcept { asm volatile("" : : : "memory"); }

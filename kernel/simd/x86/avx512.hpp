@@ -14,7 +14,6 @@
 #include "simd/operations.hpp"
 #include "simd/x86/vectors_of_8.hpp"
 #include "support/compiler.hpp"
-#include "support/processor.hpp"
 
 namespace shaftcull::kernel::avx512 {
 
@@ -137,7 +136,7 @@ struct Floats : x86::XsimdFloats<Floats, xsimd::avx512bw> {
   /// for VBMI2: this is the one place that asks the processor itself.
   struct PositionCompressor {
     static constexpr unsigned at_once = 16;
-    static bool is_available() noexcept { return processor_has(ProcessorFeature::avx512vbmi2); }
+    static bool is_available() noexcept { return SHAFTCULL_PROCESSOR_HAS("avx512vbmi2"); }
 
     /// Writes 64 w + i for every set bit i of every word w, ascending, and up to 16 positions that are none.
     SHAFTCULL_NOINLINE SHAFTCULL_TARGET("avx512vbmi2") static void write(const std::uint64_t* words, std::size_t count,
