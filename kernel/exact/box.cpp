@@ -140,6 +140,19 @@ bool box_outside(const ShaftData& shaft, const float (&bound)[6]) noexcept {
   return false;
 }
 
+bool is_outside_between(const float (&a)[6], const float (&b)[6], Contact contact, const float (&bound)[6]) noexcept {
+  ShaftData shaft;  // what exact predicates read of it: the rest is not written
+  for (unsigned f = 0; f != 6; ++f) {
+    shaft.a[f] = a[f];
+    shaft.b[f] = b[f];
+  }
+  shaft.slab_form = ShaftData::SlabForm::exact;
+  shaft.kind = ShaftData::Kind::between;
+  shaft.contact = contact;
+  shaft.added_count = 0;
+  return box_outside(shaft, bound);
+}
+
 bool box_inside(const ShaftData& shaft, const float (&bound)[6]) noexcept {
   for (unsigned k = 0; k < 3; ++k) {
     if (!(bound[k] >= shaft_face(shaft, k) && bound[k + 3] <= shaft_face(shaft, k + 3))) return false;

@@ -50,7 +50,11 @@ class SlabPredicate {
 /// Whether the box with the corners of `bound` is outside the shaft, by its joining planes and box, or any added plane.
 [[nodiscard]] bool box_outside(const ShaftData& shaft, const float (&bound)[6]) noexcept;
 
-/// Whether that box is inside the shaft and all added planes.
+/// Whether a box is outside of the shaft between boxes a and b, which was never compiled: six finite faces each.
+[[nodiscard]] bool is_outside_between(const float (&a)[6], const float (&b)[6], Contact contact,
+                                      const float (&bound)[6]) noexcept;
+
+/// Whether the box with the corners of `bound` is inside the shaft and all added planes.
 [[nodiscard]] bool box_inside(const ShaftData& shaft, const float (&bound)[6]) noexcept;
 
 /// Likewise, and touches none of their planes. It may say no of a box that touches none.

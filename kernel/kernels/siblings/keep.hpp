@@ -6,7 +6,7 @@
 /// is outside iff some s + u on different axes is more than 1; with open contact, 1 or more.
 #pragma once
 
-#include "exact/pair.hpp"
+#include "exact/predicates.hpp"
 #include "kernels/shared/two_axes.hpp"
 #include "kernels/siblings/form.hpp"
 #include "support/compiler.hpp"
