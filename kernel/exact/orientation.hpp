@@ -100,8 +100,19 @@ class SpannedPlane {
     return sign_along({{x[0], point_[0]}, {x[1], point_[1]}, {x[2], point_[2]}});
   }
 
+  /// side(), or 0 if doubles do not know it.
+  [[nodiscard]] int certain_side(const double (&x)[3]) const noexcept {
+    return sign_along({{x[0], point_[0]}, {x[1], point_[1]}, {x[2], point_[2]}}, [] { return 0; });
+  }
+
   /// Sign of (u × v) · w.
   [[nodiscard]] int sign_along(const Step (&w)[3]) const noexcept {
+    return sign_along(w, [&] { return exact_sign(u_, v_, w); });
+  }
+
+  /// Sign of (u × v) · w, or unknown() if doubles do not know it.
+  template <class Unknown>
+  [[nodiscard]] int sign_along(const Step (&w)[3], const Unknown& unknown) const noexcept {
     constexpr double unit = 0x1p-53;
     double sum = 0;
     double magnitude = 0;
@@ -112,7 +123,7 @@ class SpannedPlane {
     // Three rounded differences, two rounded products and three rounded sums a term: < 9 units of its magnitude.
     if (std::fabs(sum) > 16 * unit * magnitude) return sum > 0 ? 1 : -1;
     if (magnitude == 0) return 0;  // no product of three differences underflows
-    return exact_sign(u_, v_, w);
+    return unknown();
   }
 
   /// Component k of u × v, as nearly_determinant().

@@ -1,50 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "exact/polygon.hpp"
 
-#include <cmath>
 #include <cstddef>
 
 #include "exact/blocking.hpp"
 #include "exact/orientation.hpp"
 #include "exact/sides.hpp"
-#include "support/double3.hpp"
 
 namespace shaftcull::kernel {
 namespace {
-
-/// The sign of (b − a) · ((p − a) × (q − a)), or 0 if it is not certain.
-int certain_orientation(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q) noexcept {
-  const Double3 u = between(a, p);
-  const Double3 v = between(a, q);
-  const Double3 w = between(a, b);
-  double magnitude = 0;
-  for (std::size_t k = 0; k != 3; ++k) {
-    const std::size_t i = (k + 1) % 3;
-    const std::size_t j = (k + 2) % 3;
-    magnitude += std::fabs(w[k]) * (std::fabs(u[i] * v[j]) + std::fabs(u[j] * v[i]));
-  }
-  // Each of three factors is a rounded difference; two products, a difference and two sums round as well: fewer than 8
-  // roundings a term. Products of three differences of floats neither over- nor underflow.
-  constexpr double margin = 16 * 0x1p-53;
-  const double value = dot(cross(u, v), w);
-  if (std::fabs(value) > margin * magnitude) return value > 0 ? 1 : -1;
-  return 0;
-}
-
-/// The sign, exactly: on which side of the line from a to b the edge from p to q passes, or on which side of the plane
-/// of b, p and q the point a is.
-int orientation(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q) noexcept {
-  const int certain = certain_orientation(a, b, p, q);
-  if (certain != 0) return certain;
-  return exact_sign(Steps(a, p).of, Steps(a, q).of, Steps(a, b).of);
-}
 
 /// Whether a segment certainly passes two edges of a polygon on different sides. Then so do segments near it: the ends
 /// see each other past the polygon. Most polygons are far off, and this is quick.
 bool certainly_misses(const Vec3& from, const Vec3& to, std::span<const Vec3> polygon) noexcept {
   int turn = 0;
   for (std::size_t i = 0; i != polygon.size(); ++i) {
-    const int side = certain_orientation(from, to, polygon[i], polygon[i + 1 == polygon.size() ? 0 : i + 1]);
+    const Vec3& next = polygon[i + 1 == polygon.size() ? 0 : i + 1];
+    const int side = plane_of(from, polygon[i], next).certain_side({to[0], to[1], to[2]});
     if (side == 0) continue;
     if (side == -turn) return true;
     turn = side;
@@ -71,8 +43,9 @@ template <Ends ends>
 int side_of_edge(std::span<const Vec3> a, std::span<const Vec3> b, const Vec3& p, const Vec3& q) noexcept {
   Sides sides;
   for (const Vec3& from : a) {
+    const SpannedPlane plane = plane_of(from, p, q);
     for (const Vec3& to : b) {
-      sides.add(orientation(from, to, p, q));
+      sides.add(side_of(plane, to));
       if (sides.are_mixed()) return 0;
     }
   }
@@ -82,8 +55,9 @@ int side_of_edge(std::span<const Vec3> a, std::span<const Vec3> b, const Vec3& p
 /// The side of the plane of three points on which an end is, or 0.
 template <Ends ends>
 int side_of_plane(std::span<const Vec3> end, const Vec3& p, const Vec3& q, const Vec3& r) noexcept {
+  const SpannedPlane plane = plane_of(p, q, r);
   Sides sides;
-  for (const Vec3& point : end) sides.add(orientation(p, point, q, r));
+  for (const Vec3& point : end) sides.add(side_of(plane, point));
   return common_sign<ends>(sides);
 }
 
