@@ -250,7 +250,7 @@ TreeParts<Bound> build_by_regions(const Source& source, const RegionSizes& sizes
     const EntryStreams spare{centre[3], centre[4], centre[5], reinterpret_cast<float*>(spare_index.get())};
     const EntryPlace place{entries, nullptr, parts.leaves.memory_bytes()};
     const ClassBounds class_first = write_entries<Bound>(source, place);
-    write_regions(entries, spare, class_first, most, kernels, index);
+    write_tree_order(entries, spare, class_first, kernels, index, most);
     regions = regions_of(class_first, most);
   }
   carry(source, ascending_runs(regions, index), index, parts);

@@ -52,16 +52,6 @@ void order_part(const Part& part, std::size_t most, std::size_t parts, const Ker
   }
 }
 
-/// order_part() of all classes.
-void order_classes(const EntryStreams& entries, const EntryStreams& spare, const ClassBounds& class_first,
-                   std::size_t most, const Kernels& kernels, std::uint32_t* order) {
-  parallel_for(size_classes, 1, [&](std::size_t c, std::size_t) {
-    if (class_first[c] != class_first[c + 1]) {
-      order_part({class_first[c], class_first[c + 1], &entries, &spare}, most, 1, kernels, order);
-    }
-  });
-}
-
 void order_alone(const Part& part, const Kernels& kernels, std::uint32_t* order) noexcept {
   const std::size_t cut = cut_of(part.first, part.last);
   if (cut == 0) return write_indices(part, order);
@@ -80,8 +70,12 @@ void add_regions(std::size_t first, std::size_t last, std::size_t most, std::vec
 }  // namespace
 
 void write_tree_order(const EntryStreams& entries, const EntryStreams& spare, const ClassBounds& class_first,
-                      const Kernels& kernels, std::uint32_t* order) {
-  order_classes(entries, spare, class_first, 0, kernels, order);
+                      const Kernels& kernels, std::uint32_t* order, std::size_t most) {
+  parallel_for(size_classes, 1, [&](std::size_t c, std::size_t) {
+    if (class_first[c] != class_first[c + 1]) {
+      order_part({class_first[c], class_first[c + 1], &entries, &spare}, most, 1, kernels, order);
+    }
+  });
 }
 
 std::vector<IndexRange> regions_of(const ClassBounds& class_first, std::size_t most) {
@@ -90,11 +84,6 @@ std::vector<IndexRange> regions_of(const ClassBounds& class_first, std::size_t m
     if (class_first[c] != class_first[c + 1]) add_regions(class_first[c], class_first[c + 1], most, regions);
   }
   return regions;
-}
-
-void write_regions(const EntryStreams& entries, const EntryStreams& spare, const ClassBounds& class_first,
-                   std::size_t most, const Kernels& kernels, std::uint32_t* indices) {
-  order_classes(entries, spare, class_first, most, kernels, indices);
 }
 
 void write_order_within(const IndexRange& region, const EntryStreams& entries, const EntryStreams& spare,
