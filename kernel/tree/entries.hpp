@@ -49,7 +49,7 @@ template <class Bound>
 
 /// Scratch memory of a build: entries, as much memory to move them to, and the bounds themselves as records, because
 /// tree order reads them from all over memory and a record is in one place, not in six.
-template <class Bound>
+template <class Bound, template <class> class Memory = TaskMemory>
 class BuildScratch {
  public:
   explicit BuildScratch(std::size_t count)
@@ -77,8 +77,8 @@ class BuildScratch {
   }
 
   std::size_t stride_;
-  TaskMemory<float> entries_;
-  TaskMemory<float> records_;
+  Memory<float> entries_;
+  Memory<float> records_;
 };
 
 /// Writes all bounds' records and entries, these sorted by size class, and returns where each class begins. Throws

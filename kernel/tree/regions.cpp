@@ -131,35 +131,11 @@ void carry(const Source& source, std::span<const IndexRange> runs, const std::ui
 
 /// Memory for the bounds of a region that one task orders and writes.
 template <class Bound>
-class RegionScratch {
- public:
-  explicit RegionScratch(std::size_t most)
-      : stride_(bit_words(most) * fanout + apart),
-        entries_(2 * entry_streams * stride_),
-        records_(most * rows_of<Bound>),
-        indices_(2 * most) {}
+struct RegionScratch {
+  BuildScratch<Bound, LargeMemory> bounds;
+  LargeMemory<std::uint32_t> indices;
 
-  [[nodiscard]] EntryStreams entries() const noexcept { return streams(0); }
-  [[nodiscard]] EntryStreams spare() const noexcept { return streams(entry_streams); }
-  [[nodiscard]] EntryPlace place() const noexcept { return {entries(), records_.get(), 0}; }
-  [[nodiscard]] RecordSource<Bound> records(std::size_t count) const {
-    return RecordSource<Bound>(records_in<Bound>(records_.get(), count));
-  }
-  [[nodiscard]] std::uint32_t* indices() const noexcept { return indices_.get(); }
-
- private:
-  static constexpr std::size_t apart = 80;  // as in BuildScratch
-
-  [[nodiscard]] EntryStreams streams(std::size_t first) const noexcept {
-    EntryStreams stream;
-    for (std::size_t s = 0; s != entry_streams; ++s) stream[s] = entries_.get() + (first + s) * stride_;
-    return stream;
-  }
-
-  std::size_t stride_;
-  LargeMemory<float> entries_;
-  LargeMemory<float> records_;
-  LargeMemory<std::uint32_t> indices_;
+  explicit RegionScratch(std::size_t most) : bounds(most), indices(2 * most) {}
 };
 
 /// The blocks of gap_leaves that are all of one region.
@@ -174,15 +150,17 @@ IndexRange whole_blocks(const IndexRange& region, std::size_t size) noexcept {
 template <class Bound>
 void write_region(const IndexRange& region, const std::uint32_t* index, const RegionScratch<Bound>& scratch,
                   const Kernels& kernels, TreeParts<Bound>& parts) {
-  write_entries_and_records<Bound>(parts.leaves.view().slice(region.first, region.size), scratch.place());
-  std::uint32_t* const order = scratch.indices();  // within the region
-  write_order_within(region, scratch.entries(), scratch.spare(), kernels, order);
+  const EntryStreams entries = scratch.bounds.entries();
+  const EntryPlace place{entries, scratch.bounds.records(), 0};
+  write_entries_and_records<Bound>(parts.leaves.view().slice(region.first, region.size), place);
+  std::uint32_t* const order = scratch.indices.get();  // within the region
+  write_order_within(region, entries, scratch.bounds.spare(), kernels, order);
   std::uint32_t* const indices = order + region.size;
   std::copy_n(index + region.first, region.size, indices);  // order may be written where they are
   std::uint32_t* const of_all = parts.order.data() + region.first;
   for (std::size_t i = 0; i != region.size; ++i) of_all[i] = indices[order[i]];
 
-  const RecordSource<Bound> records = scratch.records(region.size);
+  const RecordSource<Bound> records(records_in<Bound>(scratch.bounds.records(), region.size));
   const IndexRange whole = whole_blocks(region, parts.size);
   const auto row = parts.leaf_rows();
   const auto write_alone = [&](std::size_t first, std::size_t end) {
