@@ -55,45 +55,30 @@ struct SphereStages {
   }
 };
 
-/// The same in slab form, with the six streams of the boxes around the spheres after their own four.
-template <class L>
-struct BoxedSphereStages {
-  static constexpr unsigned streams = 10;
+/// The same in slab form. `Corners` are those of the spheres, or of boxes around them, whose six streams come after the
+/// spheres' own four.
+template <class L, template <class> class Corners>
+struct SphereSlabStages : SphereStages<L> {
+  static constexpr unsigned of_sphere = SphereStages<L>::streams;
+  static constexpr bool has_boxes = !Corners<L>::has_radius;
+  static constexpr unsigned streams = has_boxes ? of_sphere + 6 : of_sphere;
 
   static bool needs_planes(const ShaftData& shaft) noexcept { return outside_needs_planes(shaft, true); }
 
   static void cull(const ShaftData& shaft, const float* const* stream, std::size_t count,
                    std::uint64_t* kept) noexcept {
     if (needs_planes(shaft)) return SphereStages<L>::cull(shaft, stream, count, kept);
-    sphere_slab_stage<L, BoxedSphereCorners>(shaft, stream + SphereStages<L>::streams, count / word_bits, kept,
-                                             consecutive_words<L>(count));
+    sphere_slab_stage<L, Corners>(shaft, has_boxes ? stream + of_sphere : stream, count / word_bits, kept,
+                                  consecutive_words<L>(count));
     SphereStages<L>::finish(shaft, stream, count, kept);
-  }
-
-  static void find_inside(const ShaftData& shaft, const float* const* stream, std::size_t count,
-                          const std::uint64_t* kept, std::uint64_t* inside) noexcept {
-    SphereStages<L>::find_inside(shaft, stream, count, kept, inside);
   }
 };
 
-/// The same for spheres that come without boxes around them.
 template <class L>
-struct UnboxedSphereStages {
-  static constexpr unsigned streams = 4;
+using BoxedSphereStages = SphereSlabStages<L, BoxedSphereCorners>;
 
-  static bool needs_planes(const ShaftData& shaft) noexcept { return BoxedSphereStages<L>::needs_planes(shaft); }
-
-  static void cull(const ShaftData& shaft, const float* const* stream, std::size_t count,
-                   std::uint64_t* kept) noexcept {
-    if (needs_planes(shaft)) return SphereStages<L>::cull(shaft, stream, count, kept);
-    sphere_slab_stage<L, SphereCorners>(shaft, stream, count / word_bits, kept, consecutive_words<L>(count));
-    SphereStages<L>::finish(shaft, stream, count, kept);
-  }
-
-  static void find_inside(const ShaftData& shaft, const float* const* stream, std::size_t count,
-                          const std::uint64_t* kept, std::uint64_t* inside) noexcept {
-    SphereStages<L>::find_inside(shaft, stream, count, kept, inside);
-  }
-};
+/// For spheres that come without boxes around them.
+template <class L>
+using UnboxedSphereStages = SphereSlabStages<L, SphereCorners>;
 
 }  // namespace shaftcull::kernel
