@@ -47,27 +47,6 @@ bool reaches_out(const ShaftData& shaft, const float* const* stream) noexcept {
   return false;
 }
 
-/// A shaft with closed contact, or a copy of it that has.
-template <class L>
-class Closed {
- public:
-  explicit Closed(const ShaftData& shaft) noexcept : shaft_(&shaft) {
-    if (shaft.contact == Contact::closed) return;
-    closed_ = shaft;
-    closed_.contact = Contact::closed;
-    closed_.still_faces = 0;
-    shaft_ = &closed_;
-  }
-  Closed(const Closed&) = delete;
-  Closed& operator=(const Closed&) = delete;
-
-  [[nodiscard]] const ShaftData& shaft() const noexcept { return *shaft_; }
-
- private:
-  const ShaftData* shaft_;
-  ShaftData closed_;  // written only if the shaft came with open contact
-};
-
 /// Whether all corners of a box that the shaft keeps are in the shaft or touch it. Then the box is inside, since a
 /// shaft is convex. One test of eight points costs less than the joining planes of the shaft.
 template <class L, class Stages>
@@ -81,9 +60,15 @@ bool keeps_corners(const ShaftData& shaft, const float* const* stream) noexcept 
   }
   const float* const corners[6] = {coordinate[0], coordinate[1], coordinate[2],
                                    coordinate[0], coordinate[1], coordinate[2]};
-  const Closed<L> closed(shaft);
+  ShaftData closed;  // written only if the shaft has open contact
+  const bool is_open = shaft.contact != Contact::closed;
+  if (is_open) {
+    closed = shaft;
+    closed.contact = Contact::closed;
+    closed.still_faces = 0;
+  }
   std::uint64_t kept = 0;
-  Stages::cull(closed.shaft(), corners, 8, &kept);
+  Stages::cull(is_open ? closed : shaft, corners, 8, &kept);
   return kept == 0xff;
 }
 
