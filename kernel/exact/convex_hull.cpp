@@ -2,7 +2,6 @@
 #include "exact/convex_hull.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include "exact/expansion.hpp"
 #include "exact/hull_planes.hpp"
@@ -87,14 +86,6 @@ int compare_distance(double x, double face, double radius) noexcept {
   return distance.error > 0 ? 1 : distance.error < 0 ? -1 : 0;
 }
 
-/// The largest float that is at most x − y, or −∞.
-float rounded_down(double x, double y) noexcept {
-  const TwoTerms exact = two_sum(x, -y);
-  const auto rounded = static_cast<float>(exact.sum);
-  const bool is_above = rounded > exact.sum || (rounded == exact.sum && exact.error < 0);
-  return is_above ? std::nextafter(rounded, -std::numeric_limits<float>::infinity()) : rounded;
-}
-
 /// The smallest box around a sphere, in floats. Every node of a tree that holds the sphere holds this box, so a sphere
 /// is answered alone as the node is.
 struct BoxAround {
@@ -102,8 +93,8 @@ struct BoxAround {
 
   explicit BoxAround(const float (&sphere)[4]) noexcept {
     for (unsigned k = 0; k < 3; ++k) {
-      face[k] = rounded_down(sphere[k], sphere[3]);
-      face[k + 3] = -rounded_down(-static_cast<double>(sphere[k]), sphere[3]);
+      face[k] = sum_rounded_down(sphere[k], -sphere[3]);
+      face[k + 3] = sum_rounded_up(sphere[k], sphere[3]);
     }
   }
 };

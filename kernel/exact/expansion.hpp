@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "support/exact_floats.hpp"
@@ -27,6 +28,17 @@ inline TwoTerms two_sum(double a, double b) noexcept {
   const double a_virtual = sum - b_virtual;
   return {sum, (a - a_virtual) + (b - b_virtual)};
 }
+
+/// The smallest float that is at least a + b, or +∞.
+inline float sum_rounded_up(double a, double b) noexcept {
+  const TwoTerms exact = two_sum(a, b);  // the error is NaN if the sum is infinite
+  const auto nearest = static_cast<float>(exact.sum);
+  const bool is_below = nearest < exact.sum || (nearest == exact.sum && exact.error > 0);
+  return is_below ? std::nextafter(nearest, HUGE_VALF) : nearest;
+}
+
+/// The largest float that is at most a + b, or −∞.
+inline float sum_rounded_down(double a, double b) noexcept { return -sum_rounded_up(-a, -b); }
 
 inline TwoTerms two_product(double a, double b) noexcept {
   constexpr double splitter = 134217729.0;  // 2^27 + 1 halves a 53-bit significand

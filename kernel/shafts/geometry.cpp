@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "exact/expansion.hpp"
 #include "shafts/view.hpp"
 #include "support/arguments.hpp"
 #include "support/fail.hpp"
@@ -15,19 +16,8 @@
 namespace shaftcull {
 namespace {
 
-/// The smallest float not below x + y.
-float sum_rounded_up(float x, float y) noexcept {
-  const double a = x;
-  const double b = y;
-  const double sum = a + b;
-  const double part = sum - a;
-  const double error = (a - (sum - part)) + (b - part);  // sum + error = x + y (Knuth); NaN if the sum is infinite
-  const auto nearest = static_cast<float>(sum);
-  const bool is_below = nearest < sum || (nearest == sum && error > 0);
-  return is_below ? std::nextafter(nearest, HUGE_VALF) : nearest;
-}
-
-float sum_rounded_down(float x, float y) noexcept { return -sum_rounded_up(-x, -y); }
+using kernel::sum_rounded_down;
+using kernel::sum_rounded_up;
 
 [[noreturn]] void refuse_infinite(const std::string& what, float value) {
   kernel::fail(InvalidArgument(what + " = " + kernel::text(value) + " is not finite"));

@@ -43,15 +43,6 @@ float distance_error(const float (&least)[3], const float (&most)[3], float offs
   return static_cast<float>(8 * 0x1p-24 * size + 0x1p-120);
 }
 
-/// The largest float that is at most a + b. Coordinates compare with it as with the sum.
-float sum_rounded_down(float a, float b) noexcept {
-  const TwoTerms sum = two_sum(a, b);
-  if (sum.sum >= double{largest}) return largest;
-  const auto rounded = static_cast<float>(sum.sum);
-  const bool is_above = double{rounded} > sum.sum || (double{rounded} == sum.sum && sum.error < 0);
-  return is_above ? std::nextafter(rounded, -largest) : rounded;
-}
-
 float clamped(double x) noexcept { return static_cast<float>(std::clamp(x, -double{largest}, double{largest})); }
 
 /// NaN if it is so large that distances may overflow.
@@ -69,7 +60,7 @@ struct Limit {
 Limit limit_of(const float (&normal)[3], float offset, float tolerance, float coordinate) noexcept {
   if (tolerance == 0) return {offset, distance_error(normal, normal, offset, coordinate)};
   if (is_unit_axis(double{normal[0]}, double{normal[1]}, double{normal[2]})) {
-    return {sum_rounded_down(offset, tolerance), 0};
+    return {sum_rounded_down(offset, tolerance), 0};  // coordinates compare with it as with the sum
   }
   double allowed = 0;
   for (const float n : normal) allowed += double{tolerance} * std::fabs(double{n});
