@@ -24,14 +24,6 @@ struct HullTriangle {
   }
 };
 
-bool are_on_one_line(const Vec3& p, const Vec3& q, const Vec3& r) noexcept {
-  for (unsigned i = 0; i != 3; ++i) {
-    const unsigned j = (i + 1) % 3;
-    if (determinant_sign({q[i], p[i]}, {q[j], p[j]}, {r[i], p[i]}, {r[j], p[j]}) != 0) return false;
-  }
-  return true;
-}
-
 class HullConstruction {
  public:
   explicit HullConstruction(std::span<const Vec3> points) : points_(points), triangle_from_(points.size()) {

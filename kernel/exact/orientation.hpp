@@ -61,6 +61,15 @@ auto determinant(const Step& a, const Step& b, const Step& c, const Step& d) noe
   return exact_sign(a, b, c, d);
 }
 
+/// Whether three points are on one line.
+[[nodiscard]] inline bool are_on_one_line(const Vec3& p, const Vec3& q, const Vec3& r) noexcept {
+  for (unsigned i = 0; i != 3; ++i) {
+    const unsigned j = (i + 1) % 3;
+    if (determinant_sign({q[i], p[i]}, {q[j], p[j]}, {r[i], p[i]}, {r[j], p[j]}) != 0) return false;
+  }
+  return true;
+}
+
 /// Whether a difference of two products of differences of floats, each rounded, is off by 2⁻³⁰ of itself at most. The
 /// products amount to `size` together, and the difference is off by 8 · 2⁻⁵³ of that. It is exact for products that are
 /// 0, as no product of differences underflows.

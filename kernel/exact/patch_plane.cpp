@@ -48,15 +48,6 @@ int side(const Steps& u, const Steps& v, const Steps& w, double tolerance) noexc
   return SpannedPlane(origin, u.of, v.of).sign_along(w.of);
 }
 
-bool has_area(const Steps& u, const Steps& v) noexcept {
-  for (unsigned k = 0; k != 3; ++k) {
-    const unsigned i = (k + 1) % 3;
-    const unsigned j = (k + 2) % 3;
-    if (determinant_sign(u.of[i], u.of[j], v.of[i], v.of[j]) != 0) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 int height_sign(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& x, float tolerance) noexcept {
@@ -76,7 +67,7 @@ bool any_plane(std::span<const Vec3> polygon, float tolerance, const IsFound& is
     const auto lies_in = [&](const Vec3& x) {
       return height_sign(p, q, r, x, tolerance) <= 0 && height_sign(p, r, q, x, tolerance) <= 0;
     };
-    if (has_area(Steps(p, q), Steps(p, r)) && is_found(lies_in)) return true;
+    if (!are_on_one_line(p, q, r) && is_found(lies_in)) return true;
   }
   return false;
 }
@@ -119,7 +110,7 @@ bool is_behind_patch(std::span<const Vec3> corners, float tolerance, const Vec3&
     const Steps v(corners[0], corners[i]);
     const int where = side(u, v, to_point, double{tolerance});
     if (where > 0) return false;
-    has_plane = has_plane || where < 0 || has_area(u, v);
+    has_plane = has_plane || where < 0 || !are_on_one_line(corners[0], corners[i - 1], corners[i]);
   }
   return has_plane;
 }

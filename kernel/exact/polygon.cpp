@@ -65,10 +65,7 @@ int side_of_plane(std::span<const Vec3> end, const Vec3& p, const Vec3& q, const
 template <Ends ends>
 bool passes_plane(std::span<const Vec3> a, std::span<const Vec3> b, const Vec3& p, const Vec3& q,
                   const Vec3& r) noexcept {
-  const auto cross = [&](std::size_t i, std::size_t j) {
-    return determinant_sign({q[i], p[i]}, {q[j], p[j]}, {r[i], p[i]}, {r[j], p[j]});
-  };
-  if (cross(0, 1) == 0 && cross(1, 2) == 0 && cross(2, 0) == 0) return true;
+  if (are_on_one_line(p, q, r)) return true;
   const int of_a = side_of_plane<ends>(a, p, q, r);
   return of_a != 0 && side_of_plane<ends>(b, p, q, r) == -of_a;
 }
