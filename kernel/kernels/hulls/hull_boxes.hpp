@@ -81,28 +81,19 @@ SHAFTCULL_ALWAYS_INLINE [[nodiscard]] inline std::uint64_t hull_faces_word(const
   return outside;
 }
 
-/// First stage: writes the kept bits of `words` words, clear for boxes that are beyond such a face.
-template <class L, class Words>
+/// First stage: writes the kept bits of `words` words, clear for boxes that are beyond such a face. The only stage of a
+/// conservative hull that floats suit.
+template <class L, bool conservative, class Words>
 void hull_faces_stage(const HullData& hull, const float* const* stream, std::size_t words, std::uint64_t* kept,
                       const Words& position) noexcept {
   for (std::size_t w = 0; w < words; ++w) {
-    if (!hull.suits_floats) {
+    if (!conservative && !hull.suits_floats) {
       kept[w] = ~hull_outside_by_predicate<L>(hull, stream, position(w), ~std::uint64_t{0});
     } else if (hull.is_bounded) {
-      kept[w] = ~hull_faces_word<L, true, false>(hull, stream, position(w));
+      kept[w] = ~hull_faces_word<L, true, conservative>(hull, stream, position(w));
     } else {
-      kept[w] = ~hull_faces_word<L, false, false>(hull, stream, position(w));
+      kept[w] = ~hull_faces_word<L, false, conservative>(hull, stream, position(w));
     }
-  }
-}
-
-/// The only stage of a conservative hull that floats suit.
-template <class L, class Words>
-void conservative_stage(const HullData& hull, const float* const* stream, std::size_t words, std::uint64_t* kept,
-                        const Words& position) noexcept {
-  for (std::size_t w = 0; w < words; ++w) {
-    kept[w] = ~(hull.is_bounded ? hull_faces_word<L, true, true>(hull, stream, position(w))
-                                : hull_faces_word<L, false, true>(hull, stream, position(w)));
   }
 }
 
@@ -116,8 +107,8 @@ template <class L, class Words>
 void first_hull_stage(const HullData& hull, const float* const* stream, std::size_t words, std::uint64_t* kept,
                       const Words& position) noexcept {
   if (hull.is_conservative && hull.suits_floats) [[unlikely]]
-    return conservative_stage<L>(hull, stream, words, kept, position);
-  hull_faces_stage<L>(hull, stream, words, kept, position);
+    return hull_faces_stage<L, true>(hull, stream, words, kept, position);
+  hull_faces_stage<L, false>(hull, stream, words, kept, position);
 }
 
 /// Which boxes of some vectors are beyond the hull's box, an edge or another face, or empty. If only their boxes were
