@@ -133,12 +133,10 @@ Box box_around(const TreeLevels<Bound>& parts, const Kernels& kernels) noexcept 
   return all;
 }
 
-template <class Bound>
-double surface(const TreeLevels<Bound>& parts) {
-  if (parts.levels < 2) return 0;
+double surface(const BoxView& boxes) noexcept {
+  const auto& row = boxes.stream;
   double sum = 0;
-  const auto row = parts.node_words(1, 0, parts.level[1].words()).stream;
-  for (std::size_t i = 0; i != parts.level[1].entries; ++i) {
+  for (std::size_t i = 0; i != boxes.count; ++i) {
     const double x = static_cast<double>(row[3][i]) - static_cast<double>(row[0][i]);
     const double y = static_cast<double>(row[4][i]) - static_cast<double>(row[1][i]);
     const double z = static_cast<double>(row[5][i]) - static_cast<double>(row[2][i]);
@@ -146,6 +144,12 @@ double surface(const TreeLevels<Bound>& parts) {
     if (x >= 0 && std::isfinite(half)) sum += half;
   }
   return sum;
+}
+
+template <class Bound>
+double surface(const TreeLevels<Bound>& parts) {
+  if (parts.levels < 2) return 0;
+  return surface(parts.node_words(1, 0, parts.level[1].words()).slice(0, parts.level[1].entries));
 }
 
 template void fit_leaf_word(TreeLevels<Box>& parts, const Kernels& kernels, std::size_t entry,

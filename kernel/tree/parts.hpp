@@ -158,7 +158,9 @@ void fit_dirty(TreeLevels<Bound>& parts, const Kernels& kernels) noexcept;
 template <class Bound>
 Box box_around(const TreeLevels<Bound>& parts, const Kernels& kernels) noexcept;
 
-/// Summed surface of the boxes of level 1; infinite ones are left out.
+/// Summed surface of boxes, halved; those that are empty or infinite are left out.
+[[nodiscard]] double surface(const BoxView& boxes) noexcept;
+/// That of the boxes of level 1.
 template <class Bound>
 double surface(const TreeLevels<Bound>& parts);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// Trees of triangles that move: they stay in their chunks, whose boxes follow.
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <memory>
 #include <numeric>
@@ -21,29 +20,15 @@
 #include "support/float_environment.hpp"
 #include "support/index_range.hpp"
 #include "support/text.hpp"
+#include "tree/parts.hpp"
 #include "tree/tree_access.hpp"
 #include "tree/triangle_parts.hpp"
 
 namespace shaftcull::kernel {
 namespace {
 
-/// The sum of the surfaces of chunks' boxes, halved. Infinite ones are left out.
-double surface_of_chunks(const TriangleParts& parts) noexcept {
-  const BoxView boxes = parts.chunks.leaves();
-  double sum = 0;
-  for (std::size_t c = 0; c != boxes.count; ++c) {
-    double width[3];
-    for (std::size_t k = 0; k != 3; ++k) {
-      width[k] = static_cast<double>(boxes.stream[k + 3][c]) - static_cast<double>(boxes.stream[k][c]);
-    }
-    const double half = width[0] * width[1] + width[1] * width[2] + width[2] * width[0];
-    if (std::isfinite(half)) sum += half;
-  }
-  return sum;
-}
-
 void note_surface(TriangleParts& parts) noexcept {
-  if (parts.surface_when_built < 0) parts.surface_when_built = surface_of_chunks(parts);
+  if (parts.surface_when_built < 0) parts.surface_when_built = surface(parts.chunks.leaves());
 }
 
 /// What has no triangles yet has parts of their own only for the time of a call.
@@ -154,7 +139,7 @@ double TriangleTree::sah_ratio() const {
   if (!parts_ || parts_->surface_when_built < 0) return 1;
   return kernel::in_float_environment([&] {
     const double before = parts_->surface_when_built;
-    const double now = kernel::surface_of_chunks(*parts_);
+    const double now = kernel::surface(parts_->chunks.leaves());
     if (now == before) return 1.0;
     return before == 0 ? std::numeric_limits<double>::infinity() : now / before;
   });
