@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// sees/dense/GROUPS: all pairs of patches in a room with a body of many small triangles, each of which is a patch. An
 /// item is a pair. GROUPS: `near`, the library forms groups of triangles that are near each other, and compares their
-/// triangles with pairs; `one`, all triangles are one group, which is compared by its box.
+/// triangles with pairs; `one`, all triangles are one group, which is compared by its box; `near_octagons`, as `near`,
+/// with walls of octagons in place of squares.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -51,25 +52,31 @@ std::vector<Triangle> body() {
   return triangles;
 }
 
-/// Adds squares of a wall, which face into the room.
-void cut_wall(std::size_t axis, bool high, std::vector<Vec3>& corners, std::vector<std::size_t>& first) {
+/// The corners of a patch in a square of edge 1, counter-clockwise.
+using Shape = std::vector<std::array<float, 2>>;
+const Shape square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+const Shape octagon{{0.25F, 0}, {0.75F, 0}, {1, 0.25F}, {1, 0.75F}, {0.75F, 1}, {0.25F, 1}, {0, 0.75F}, {0, 0.25F}};
+
+/// Adds patches of a wall, which face into the room.
+void cut_wall(std::size_t axis, bool high, const Shape& shape, std::vector<Vec3>& corners,
+              std::vector<std::size_t>& first) {
   const std::size_t across = (axis + (high ? 2 : 1)) % 3;
   const std::size_t up = (axis + (high ? 1 : 2)) % 3;
   const auto steps = [](std::size_t k) { return static_cast<unsigned>(room[k] / patch_edge); };
   for (unsigned i = 0; i != steps(across); ++i) {
     for (unsigned j = 0; j != steps(up); ++j) {
-      for (const auto& [u, v] : {std::array{0U, 0U}, {1U, 0U}, {1U, 1U}, {0U, 1U}}) {
+      for (const auto& [u, v] : shape) {
         Vec3& corner = corners.emplace_back();
         corner[axis] = high ? room[axis] : 0;
-        corner[across] = patch_edge * static_cast<float>(i + u);
-        corner[up] = patch_edge * static_cast<float>(j + v);
+        corner[across] = patch_edge * (static_cast<float>(i) + u);
+        corner[up] = patch_edge * (static_cast<float>(j) + v);
       }
       first.push_back(corners.size());
     }
   }
 }
 
-PatchSet patches_of(std::span<const Triangle> body) {
+PatchSet patches_of(std::span<const Triangle> body, const Shape& of_walls) {
   std::vector<Vec3> corners;
   std::vector<std::size_t> first{0};
   for (const Triangle& triangle : body) {
@@ -77,7 +84,7 @@ PatchSet patches_of(std::span<const Triangle> body) {
     first.push_back(corners.size());
   }
   for (std::size_t axis = 0; axis != 3; ++axis) {
-    for (const bool high : {false, true}) cut_wall(axis, high, corners, first);
+    for (const bool high : {false, true}) cut_wall(axis, high, of_walls, corners, first);
   }
   return PatchSet(corners, first);
 }
@@ -85,17 +92,18 @@ PatchSet patches_of(std::span<const Triangle> body) {
 }  // namespace
 
 void declare_dense(Suite& suite) {
-  for (const auto& [name, one] : {std::pair{"near", false}, {"one", true}}) {
-    const std::string row = std::string("sees/dense/") + name;
+  for (const std::string name : {"near", "near_octagons", "one"}) {
+    const std::string row = "sees/dense/" + name;
     suite.add(row, "",
-              [=, &suite, are_one = one, noted = std::make_shared<bool>(false)](benchmark::State& state) {
+              [=, &suite, noted = std::make_shared<bool>(false)](benchmark::State& state) {
                 select_isa(measured_isa());
                 const std::vector<Triangle> triangles = body();
-                const PatchSet patches = patches_of(triangles);
+                const PatchSet patches = patches_of(triangles, name == "near_octagons" ? octagon : square);
                 Occluders occluders;
                 const std::vector<std::size_t> all{0, triangles.size()};
-                occluders.add_triangles(TriangleStream(std::span<const Triangle>(triangles)),
-                                        are_one ? std::span<const std::size_t>(all) : std::span<const std::size_t>());
+                occluders.add_triangles(
+                    TriangleStream(std::span<const Triangle>(triangles)),
+                    name == "one" ? std::span<const std::size_t>(all) : std::span<const std::size_t>());
                 SightCounts counts;
                 for (auto _ : state) counts = count_visibility(patches, occluders, {.candidates = false});
                 state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(counts.total()));

@@ -176,7 +176,6 @@ std::uint64_t Ladder::reach_in_lanes(const Side& rows, unsigned row, const Side&
                              corners.stream,     corners.corners,
                              edges.data(),       edges.size(),
                              columns.count};
-  if (pairs.planes() > CornersOfPairs::most_planes) return 0;
   job_.kernels.reach_between(pairs, job_.a.tolerance, points_between_.data(), points_between_.size(), *reach_space_);
   std::uint64_t reached = 0;
   std::size_t next = 0;

@@ -122,8 +122,8 @@ struct CornersOfPairs {
 
   /// How many planes go through an edge of one patch and a corner of the other.
   [[nodiscard]] constexpr unsigned planes() const noexcept { return fixed_edges * corners + edges * fixed_corners; }
-  /// Most planes: of a box of eight corners and a patch of four.
-  static constexpr unsigned most_planes = 80;
+  /// Most planes: of a box, which has twelve edges, and a polygon of eight corners. Of two boxes, nobody asks.
+  static constexpr unsigned most_planes = 160;
 };
 
 /// Points of an occluder, or the corners of one of its triangles, and bits of pairs: those that are asked about it, and
@@ -140,7 +140,7 @@ struct PointsBetween {
 
 /// Memory that reach_between() works in: too much for a caller's stack.
 struct alignas(64) ReachSpace {
-  std::byte bytes[40960];
+  std::byte bytes[66560];
 };
 
 /// A box and a ball around a solid, a little larger than need be.
@@ -217,8 +217,8 @@ struct SiblingKernels {
   std::uint64_t (*planes_behind_points)(const float (&normal)[3][most_siblings], const float* limit, unsigned count,
                                         const Vec3* points, std::size_t size, std::uint64_t asked) noexcept;
 
-  /// Which of a list of points reach between a patch and others, of `pairs.planes()` ≤ most_planes. What is not certain
-  /// is left open.
+  /// Which of a list of points reach between a patch and others, not both of them boxes. What is not certain is left
+  /// open.
   void (*reach_between)(const CornersOfPairs& pairs, float tolerance, PointsBetween* points, std::size_t number,
                         ReachSpace& space) noexcept;
 
