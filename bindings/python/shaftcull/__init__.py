@@ -14,6 +14,7 @@ Answers are those of real arithmetic for the float32 given, and the same bits on
 """
 
 from shaftcull._lists import IndexLists
+
 try:
     from shaftcull._shaftcull import (
         BadBound,
@@ -61,7 +62,7 @@ except ModuleNotFoundError as error:
     if error.name != "shaftcull._shaftcull":
         raise
     raise ImportError(
-        "shaftcull: this is the folder of its sources, without the compiled module; start Python in another folder"
+        f"{__path__[0]} has no compiled module. If it belongs to the sources, start Python in another folder."
     ) from error
 
 __all__ = [name for name in list(globals()) if not name.startswith("_")] + ["__version__"]
