@@ -155,7 +155,7 @@ ConvexHull::ConvexHull(std::span<const Vec3> points, std::span<const Vec3> direc
                        std::size_t first_end) {
   kernel::in_float_environment([&] {
     if (first_end == 0) {
-      require_vertices(points, directions);
+      require_vertices(points, directions);  // of two ends, between_polygons() has counted them
     } else {
       require_finite_corners(points.first(first_end), points.subspan(first_end));
     }

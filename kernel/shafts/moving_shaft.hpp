@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Forms the shaft of any moving box. kernels/forming/moving_box.hpp forms nearly all of them sooner: those that end
-/// with the same bits, and those without end in the endless slab form, which is made only there.
+/// Forms the shaft of a moving box slowly. kernels/forming/moving_box.hpp forms nearly all of them. Shafts with an end
+/// have the same bits from either. Those without end have the endless slab form only from there.
 #pragma once
 
 #include <cstring>

@@ -123,7 +123,7 @@ struct Shadow {
   }
 };
 
-/// Completes one shaft of any kind, which is formed already or not, or throws.
+/// Forms one shaft of any kind unless it is formed, and adds planes. Throws what the call throws.
 template <class Volume>
 SHAFTCULL_NOINLINE void complete_any(std::span<const Plane> planes, const Volume& volume, bool is_formed,
                                      ShaftData& shaft) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// Shafts of one moving box, formed and compiled in registers: its six faces in the lanes of one vector.
 ///
-/// Each kernel answers for nearly all boxes, if they end with the bits of kernel/shafts/moving_shaft.cpp, which forms
-/// the others. It returns false for those, and for arguments that are refused: what `out` holds then means nothing.
+/// Each kernel forms nearly all shafts. If a shaft ends, its bits are those that kernel/shafts/moving_shaft.cpp would
+/// write, which forms the rest. The kernel returns false for the rest, and for arguments that are refused: what `out`
+/// holds then means nothing.
 #pragma once
 
 #include <cfloat>
